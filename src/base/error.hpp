@@ -8,8 +8,8 @@
 
 namespace meander {
 
-/// Misuse or unusable input. Reaches a script as a Lua error at the caller's line. Messages say what, where, and what was
-/// expected, start in lower case and carry no final stop.
+/// Misuse or unusable input. Reaches a script as a Lua error at the caller's line. Messages say what, where, and what
+/// was expected, start in lower case and carry no final stop.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

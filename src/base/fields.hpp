@@ -38,7 +38,9 @@ template <class E>
 struct EnumNames;
 
 template <class E>
-concept NamedEnum = std::is_enum_v<E> && requires { EnumNames<E>::entries; };
+concept NamedEnum = std::is_enum_v<E> && requires {
+  EnumNames<E>::entries;
+};
 
 template <NamedEnum E>
 std::vector<std::string> enum_names() {
@@ -63,7 +65,9 @@ std::optional<E> enum_from(std::string_view text) {
 
 /// A struct whose members are listed by a fields() function.
 template <class T>
-concept Listed = requires(T& t) { fields(t, [](const Field&, auto&) {}); };
+concept Listed = requires(T& t) {
+  fields(t, [](const Field&, auto&) {});
+};
 
 /// The names of all options of `Options`, in listing order.
 template <Listed Options>
@@ -74,8 +78,8 @@ std::vector<std::string> field_names() {
   return names;
 }
 
-/// Throws ArgumentError "option 'name': number from a to b expected, got v" at the first value that is not finite or out
-/// of its range. `where` (may be empty) goes in front of nested option names: "sonar.".
+/// Throws ArgumentError "option 'name': number from a to b expected, got v" at the first value that is not finite or
+/// out of its range. `where` (may be empty) goes in front of nested option names: "sonar.".
 template <Listed Options>
 void validate(const Options& options, const std::string& where = {}) {
   fields(options, [&](const Field& field, const auto& value) {

@@ -26,21 +26,21 @@ void ordered_parallel(std::size_t count, int threads, const Work& work, Make mak
   tbb::task_arena arena(threads > 0 ? threads : static_cast<int>(tbb::task_arena::automatic));
   arena.execute([&] {
     const auto in_flight = static_cast<std::size_t>(4 * tbb::this_task_arena::max_concurrency());
-    tbb::parallel_pipeline(
-        in_flight, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
-                                                       [&](tbb::flow_control& control) -> std::size_t {
-                                                         if (next == count) return control.stop(), next;
-                                                         return next++;
-                                                       }) &
-                       tbb::make_filter<std::size_t, Item>(tbb::filter_mode::parallel,
-                                                           [&](std::size_t i) {
-                                                             work.poll();
-                                                             return Item{i, make(i)};
-                                                           }) &
-                       tbb::make_filter<Item, void>(tbb::filter_mode::serial_in_order, [&](Item item) {
-                         take(item.index, std::move(item.result));
-                         work.report(static_cast<double>(item.index + 1) / static_cast<double>(count), "");
-                       }));
+    tbb::parallel_pipeline(in_flight,
+                           tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
+                                                               [&](tbb::flow_control& control) -> std::size_t {
+                                                                 if (next == count) return control.stop(), next;
+                                                                 return next++;
+                                                               }) &
+                               tbb::make_filter<std::size_t, Item>(tbb::filter_mode::parallel,
+                                                                   [&](std::size_t i) {
+                                                                     work.poll();
+                                                                     return Item{i, make(i)};
+                                                                   }) &
+                               tbb::make_filter<Item, void>(tbb::filter_mode::serial_in_order, [&](Item item) {
+                                 take(item.index, std::move(item.result));
+                                 work.report(static_cast<double>(item.index + 1) / static_cast<double>(count), "");
+                               }));
   });
 }
 

@@ -15,13 +15,13 @@ class Stream {
  public:
   Stream(std::uint64_t seed, std::string_view name);
 
-  double uniform();                          ///< [0, 1)
-  double uniform(double low, double high);   ///< [low, high)
-  double normal();                           ///< mean 0, standard deviation 1
+  double uniform();                         ///< [0, 1)
+  double uniform(double low, double high);  ///< [low, high)
+  double normal();                          ///< mean 0, standard deviation 1
   double normal(double mean, double sigma) { return mean + sigma * normal(); }
   bool chance(double probability) { return uniform() < probability; }  ///< always draws once
-  int below(int count);                      ///< 0 .. count - 1; count >= 1
-  std::uint64_t word();                      ///< 64 random bits
+  int below(int count);                                                ///< 0 .. count - 1; count >= 1
+  std::uint64_t word();                                                ///< 64 random bits
 
   /// Adds the position in the stream to a state hash.
   void add_to(Hash& hash) const { hash.add(seed_).add(draws_); }
