@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "script/docs.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace meander::script {
+namespace {
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// Methods may be asked for with a dot.
+std::string dotted(std::string_view name) {
+  std::string result(name);
+  std::replace(result.begin(), result.end(), ':', '.');
+  return result;
+}
+
+}  // namespace
+
+std::string Record::name() const {
+  if (owner.empty()) return member;
+  if (member.empty()) return owner;
+  return owner + (kind == DocKind::method ? ":" : ".") + member;
+}
+
+std::string Record::signature() const {
+  if (kind != DocKind::function && kind != DocKind::method) return name();
+  if (arguments.size() == 1 && !arguments[0].options.empty()) return name() + " { options }";
+  std::string text = name() + "(";
+  bool first = true;
+  for (const ArgumentDoc& argument : arguments) {
+    text += (first ? "" : ", ") + argument.name + (argument.optional ? "?" : "");
+    first = false;
+  }
+  return text + ")";
+}
+
+Record& Docs::add(Record record) {
+  records_.push_back(std::move(record));
+  by_name_[dotted(records_.back().name())] = &records_.back();
+  return records_.back();
+}
+
+const Record* Docs::find(std::string_view name) const {
+  const auto found = by_name_.find(dotted(name));
+  return found == by_name_.end() ? nullptr : found->second;
+}
+
+std::vector<const Record*> Docs::members(std::string_view owner) const {
+  std::vector<const Record*> result;
+  for (const Record& record : records_)
+    if (record.owner == owner && !record.member.empty()) result.push_back(&record);
+  return result;
+}
+
+std::vector<const Record*> Docs::about(std::string_view word) const {
+  const std::string wanted = lower(word);
+  std::vector<const Record*> result;
+  for (const Record& record : records_)
+    if (lower(record.name() + " " + record.text).find(wanted) != std::string::npos) result.push_back(&record);
+  return result;
+}
+
+}  // namespace meander::script

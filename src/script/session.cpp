@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "script/session.hpp"
+
+#include <cstdio>
+#include <cstring>
+
+namespace meander::script {
+namespace {
+
+/// Runs when the state is closed, after every object of the bindings: it was created first.
+int on_close(lua_State* L) {
+  session(L).life->main = nullptr;
+  return 0;
+}
+
+}  // namespace
+
+void attach(lua_State* L, Session& session) {
+  Session* address = &session;
+  static_assert(LUA_EXTRASPACE >= sizeof address);
+  std::memcpy(lua_getextraspace(L), &address, sizeof address);
+  session.life->main = session.life->running = L;
+  lua_newuserdatauv(L, 0, 0);
+  lua_createtable(L, 0, 1);
+  lua_pushcfunction(L, on_close);
+  lua_setfield(L, -2, "__gc");
+  lua_setmetatable(L, -2);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &on_close);
+}
+
+Session& session(lua_State* L) {
+  Session* address = nullptr;
+  std::memcpy(&address, lua_getextraspace(L), sizeof address);
+  return *address;
+}
+
+Work work_of(lua_State* L) {
+  Session& s = session(L);
+  return {&s.stop, s.progress};
+}
+
+void write(lua_State* L, std::string_view text) {
+  if (const auto& out = session(L).write)
+    out(text);
+  else
+    std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+}  // namespace meander::script

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <lua.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string_view>
+
+#include "base/work.hpp"
+#include "script/docs.hpp"
+
+namespace meander::script {
+
+/// Shared by everything that keeps a Lua value beyond a call: tells whether the state still lives, and which coroutine
+/// runs now.
+struct StateLife {
+  lua_State* main = nullptr;     ///< null once the state is closed
+  lua_State* running = nullptr;  ///< the coroutine of the innermost bound call
+};
+
+/// What one Lua state knows of the program around it. Must outlive the state.
+struct Session {
+  StopToken stop;  ///< set by Ctrl-C; long calls poll it
+  std::function<void(double fraction, std::string_view label)> progress;
+  std::function<void(std::string_view text)> write;  ///< where show() and help() write; empty: standard output
+  bool at_prompt = false;
+  bool terminal = false;  ///< pictures may use colours and escape codes
+  Docs docs;
+  std::shared_ptr<StateLife> life = std::make_shared<StateLife>();
+  std::size_t native_debt = 0;  ///< bytes of native objects made since Lua's collector was last told
+};
+
+/// Ties the session to a fresh state: first call after luaL_newstate, before any coroutine is made.
+void attach(lua_State* L, Session& session);
+/// The session of a state or of one of its coroutines.
+Session& session(lua_State* L);
+/// Stop token and progress for a long computation called from this state.
+Work work_of(lua_State* L);
+/// Writes to the session's output.
+void write(lua_State* L, std::string_view text);
+
+/// The error value of a stopped computation. The token stays set until the prompt is back, so that a script's pcall
+/// cannot go on: its next long call, or the interpreter's hook, raises it again.
+inline constexpr const char* kInterrupted = "interrupted";
+
+}  // namespace meander::script
