@@ -1,0 +1,116 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- SPDX-FileCopyrightText: the meander authors
+-- Reads the command line of a script:
+--
+--   local options = require "meander.arguments" {
+--     about = "drives a robot through the office",
+--     { "--seed N", default = 7, help = "seed of all random streams" },
+--     { "--json", help = "one JSON object per line instead of text" },
+--     { "--out DIR", default = "out", help = "where pictures go" },
+--     { "MAP", help = "map file" },
+--     { "X Y ...", help = "goals", rest = true },
+--   }
+--   print(options.seed, options.json, options.MAP, options.rest[1])
+--
+-- A default that is a number makes the option a number; an option without a placeholder is a flag. --help prints the
+-- table and ends the script; a mistake ends it with one line and exit code 2.
+
+local function script_name() return (arg and arg[0] or "script"):match("[^/]*$") end
+
+local function leave(text, code)
+  io.stderr:write(script_name(), ": ", text, "\n")
+  os.exit(code, true)
+end
+
+local function is_option(word) return word:sub(1, 1) == "-" and not tonumber(word) and word ~= "-" end
+
+local function prepared(spec)
+  local plan = { flags = {}, positional = {}, names = {} }
+  for _, entry in ipairs(spec) do
+    local name, placeholder = entry[1]:match("^(%S+)%s*(.*)$")
+    if is_option(name) then
+      local key = name:gsub("^%-+", ""):gsub("-", "_")
+      plan.flags[name] = { key = key, entry = entry, placeholder = placeholder ~= "" and placeholder or nil }
+      plan.names[#plan.names + 1] = name
+    else
+      plan.positional[#plan.positional + 1] = entry
+    end
+  end
+  return plan
+end
+
+local function usage(spec)
+  local words, lines = { "usage: " .. script_name() }, {}
+  for _, entry in ipairs(spec) do
+    local left = entry[1]
+    local shown = entry.default ~= nil and (" [%s]"):format(tostring(entry.default)) or ""
+    words[#words + 1] = is_option(left) and "[" .. left .. "]" or left
+    lines[#lines + 1] = ("  %-18s %s%s"):format(left, entry.help or "", shown)
+  end
+  return table.concat(words, " ") .. "\n" .. (spec.about and spec.about .. "\n" or "") .. table.concat(lines, "\n")
+end
+
+local function number(text, what)
+  local value = tonumber(text)
+  if not value or value ~= value or value == math.huge or value == -math.huge then
+    leave(("%s: a number expected, got '%s'"):format(what, text), 2)
+  end
+  return value
+end
+
+local function option(plan, values, words, i)
+  local word, inline = words[i]:match("^(%-%-[^=]+)=(.*)$")
+  word = word or words[i]
+  local flag = plan.flags[word]
+  if not flag then
+    leave(("unknown option '%s' (known: %s)"):format(word, table.concat(plan.names, ", ")), 2)
+  end
+  if not flag.placeholder then
+    values[flag.key] = true
+    return i
+  end
+  local text = inline or words[i + 1]
+  if not inline then i = i + 1 end
+  if not text then leave(("option %s needs a value: %s"):format(word, flag.entry[1]), 2) end
+  values[flag.key] = type(flag.entry.default) == "number" and number(text, "option " .. word) or text
+  return i
+end
+
+local function take_positional(plan, values, given)
+  local last = plan.positional[#plan.positional]
+  for i, entry in ipairs(plan.positional) do
+    if entry.rest then
+      values.rest = table.move(given, i, #given, 1, {})
+    elseif given[i] then
+      values[entry[1]] = given[i]
+    elseif entry.default ~= nil then
+      values[entry[1]] = entry.default
+    else
+      leave(("%s is missing: %s (--help shows how)"):format(entry[1], entry.help or ""), 2)
+    end
+  end
+  if #given > #plan.positional and not (last and last.rest) then
+    leave(("nothing more expected after %d argument(s), got '%s'"):format(#plan.positional, given[#plan.positional + 1]), 2)
+  end
+end
+
+--- Reads `words` (default: the script's own) by `spec`; see the head of this file.
+return function(spec, words)
+  words = words or arg or {}
+  local plan, values, given = prepared(spec), { rest = {} }, {}
+  for _, flag in pairs(plan.flags) do values[flag.key] = flag.entry.default end
+  local i = 1
+  while i <= #words do
+    if words[i] == "--help" or words[i] == "-h" then
+      print(usage(spec))
+      os.exit(0, true)
+    elseif is_option(words[i]) then
+      i = option(plan, values, words, i)
+    else
+      given[#given + 1] = words[i]
+    end
+    i = i + 1
+  end
+  take_positional(plan, values, given)
+  return values
+end
