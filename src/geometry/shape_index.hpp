@@ -14,18 +14,18 @@ namespace meander {
 
 /// What surfaces do to sound. NaN: the sensor's own value holds.
 struct Material {
-  double echo = 1;                                                   ///< strength in [0, 1]; 0: never answers, still blocks
+  double echo = 1;  ///< strength in [0, 1]; 0: never answers, still blocks
   double specular_limit = std::numeric_limits<double>::quiet_NaN();  ///< largest |incidence| that echoes [rad]
 };
 
 /// One straight piece of wall in the index. Solids lie to the left of a -> b.
 struct Wall {
   Vec2 a, b;
-  std::uint32_t owner = 0;    ///< slot of the obstacle it belongs to
-  std::uint16_t material = 0; ///< index into materials()
-  bool convex_a = false;      ///< the end a is a convex corner or a free end: it answers as a point scatterer
-  bool convex_b = false;      ///< only for free ends of chains (each shared corner belongs to one wall, as its a)
-  bool solid = true;          ///< border of a solid (false: thin wall of a chain)
+  std::uint32_t owner = 0;     ///< slot of the obstacle it belongs to
+  std::uint16_t material = 0;  ///< index into materials()
+  bool convex_a = false;       ///< the end a is a convex corner or a free end: it answers as a point scatterer
+  bool convex_b = false;       ///< only for free ends of chains (each shared corner belongs to one wall, as its a)
+  bool solid = true;           ///< border of a solid (false: thin wall of a chain)
 };
 
 struct Pole {
@@ -35,7 +35,7 @@ struct Pole {
 };
 
 struct RayHit {
-  double range;      ///< [m] from the origin
+  double range;  ///< [m] from the origin
   Vec2 point;
   double incidence;  ///< angle between the ray and the surface normal, in [0, pi/2]
   std::uint32_t owner;
@@ -55,12 +55,14 @@ class ShapeIndex {
   /// Adds the border of a valid shape under an owner slot (one shape per owner; owners are small dense numbers).
   void insert(std::uint32_t owner, const Shape& shape, const Material& material = {});
   void remove(std::uint32_t owner);
+  bool has(std::uint32_t owner) const;
+  void clear();
 
   std::size_t wall_count() const;
   const Material& material(std::uint16_t index) const;
 
-  /// First piece hit by the ray within max_range, if any. `direction` is a unit vector. From inside a solid the border is
-  /// seen from inside.
+  /// First piece hit by the ray within max_range, if any. `direction` is a unit vector. From inside a solid the border
+  /// is seen from inside.
   std::optional<RayHit> cast(const Vec2& origin, const Vec2& direction, double max_range) const;
 
   /// Distance [m] to the nearest piece, at most `most`. Not signed: see inside().

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -9,6 +10,15 @@
 #include "geometry/pose.hpp"
 
 namespace meander {
+
+/// Points this near to a border lie on it [m]; well above the rounding of coordinates within kFarthest.
+inline constexpr double kTouch = 1e-9;
+/// Least length of an edge and least size of a shape [m].
+inline constexpr double kShortest = 1e-6;
+/// Largest coordinate and largest size [m].
+inline constexpr double kFarthest = 1e6;
+/// Most points of one shape.
+inline constexpr std::size_t kMostPoints = 1'000'000;
 
 /// Thin walls through `points` (>= 2), joined back to the first when closed.
 struct Chain {
@@ -41,8 +51,9 @@ struct Disc {
 
 using Shape = std::variant<Chain, Polygon, Rectangle, Disc>;
 
-/// Why the shape is unusable ("points 3 and 7: edges cross at (1.20, 3.40)"), or nothing when it is valid: finite numbers,
-/// enough points, no zero-length edge, no self-crossing ring, holes inside the outer ring and apart, sizes > 0.
+/// Why the shape is unusable ("points 3 and 7: edges cross at (1.20, 3.40)"), or nothing when it is valid: finite
+/// numbers, enough points, no zero-length edge, no self-crossing ring, holes inside the outer ring and apart, sizes >
+/// 0.
 std::optional<std::string> invalid(const Shape& shape);
 
 /// Orders rings as documented above (outer counter-clockwise, holes clockwise). Other shapes are returned as they are.

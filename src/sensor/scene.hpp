@@ -22,6 +22,8 @@ class Scene {
   static constexpr std::uint32_t kMovingOwner = 1u << 30;
 
  private:
+  void refresh(const World& world, std::uint32_t slot);
+
   ShapeIndex index_;
   std::uint64_t seen_ = 0;
 };
