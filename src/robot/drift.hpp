@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "base/fields.hpp"
 #include "base/random.hpp"
@@ -29,6 +31,10 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"turn_noise", "rad/rad^0.5", "random error of turns per root radian", 0, 10}, o.turn_noise);
   visit(Field{"veer_noise", "rad/m^0.5", "random false turn per root metre", 0, 10}, o.veer_noise);
 }
+
+/// "none" (default), "good" or "poor"; throws ArgumentError that lists the known ones. Sources: docs/simulation.md.
+DriftOptions drift_preset(const std::string& name);
+std::vector<std::string> drift_preset_names();
 
 /// Turns true motion into dead-reckoned motion. Copying it forks it.
 class Drift {

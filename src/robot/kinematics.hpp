@@ -12,7 +12,17 @@ Pose2 arc(const Pose2& pose, double v, double w, double dt);
 /// `value` moved towards `target` by at most `most`.
 double ramp(double value, double target, double most);
 
-/// The command within the body's limits; NaN and infinity become 0.
+/// A velocity that runs from its present value to its target at a limited rate.
+struct Ramped {
+  double end;   ///< value after dt
+  double mean;  ///< average over dt, exact also when the target is met on the way
+};
+Ramped ramped(double value, double target, double rate, double dt);
+
+/// The command within the body's limits; NaN and infinity become 0. Unicycles have no sideways speed.
 Command limited(const Command& command, const Body& body);
+
+/// Pose between two poses of a short motion: position on the chord, heading on the shorter way; share in [0, 1].
+Pose2 between(const Pose2& from, const Pose2& to, double share);
 
 }  // namespace meander

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "robot/kinematics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meander {
+namespace {
+
+double within(double value, double least, double most) {
+  return std::isfinite(value) ? std::clamp(value, least, most) : 0.0;
+}
+
+}  // namespace
+
+Pose2 arc(const Pose2& pose, double v, double w, double dt) {
+  // The chord of an arc of length s and turn 2h is s sin(h)/h long and points along heading + h.
+  const double half = 0.5 * w * dt;
+  const double chord = half == 0 ? v * dt : v * dt * (sin_cos(half).sin / half);
+  const SinCos along = sin_cos(pose.heading + half);
+  return {pose.x + chord * along.cos, pose.y + chord * along.sin, wrap_angle(pose.heading + w * dt)};
+}
+
+double ramp(double value, double target, double most) { return value + std::clamp(target - value, -most, most); }
+
+Ramped ramped(double value, double target, double rate, double dt) {
+  const double most = rate * dt;
+  const double gap = std::abs(target - value);
+  if (gap >= most) {
+    const double end = ramp(value, target, most);
+    return {end, 0.5 * (value + end)};
+  }
+  // The ramp takes gap / rate of the time, the rest is driven at the target.
+  return {target, target + 0.5 * (value - target) * (gap / most)};
+}
+
+Command limited(const Command& command, const Body& body) {
+  return {within(command.v, body.v_min, body.v_max), within(command.w, -body.w_max, body.w_max), 0};
+}
+
+Pose2 between(const Pose2& from, const Pose2& to, double share) {
+  return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y),
+          wrap_angle(from.heading + share * angle_between(from.heading, to.heading))};
+}
+
+}  // namespace meander
