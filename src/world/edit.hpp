@@ -40,4 +40,12 @@ struct SetHeader {
 };
 using Edit = std::variant<Add, Remove, Replace, SetHeader>;
 
+/// The item that the edit gives to the id, or nullptr.
+inline const Item* item_of(const Edit& edit, Id id) {
+  const auto* add = std::get_if<Add>(&edit);
+  if (add && add->id == id) return &add->item;
+  const auto* replace = std::get_if<Replace>(&edit);
+  return replace && replace->id == id ? &replace->item : nullptr;
+}
+
 }  // namespace meander
