@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "base/work.hpp"
+#include "robot/contracts.hpp"
+#include "sim/sim.hpp"
+#include "study/run.hpp"
+
+namespace meander {
+
+struct DriveOptions {
+  double time_limit = 600;       ///< [s] of simulated time
+  bool stop_on_contact = false;  ///< end the drive at the first contact of a driven robot
+  int record_every = 1;          ///< keep every n-th cycle as a RunStep; 0: none
+};
+template <class Options, class Visitor>
+requires std::same_as<std::remove_const_t<Options>, DriveOptions>
+void fields(Options& o, Visitor&& visit) {
+  visit(Field{"time_limit", "s", "simulated time after which the drive ends", 0, 1e9}, o.time_limit);
+  visit(Field{"stop_on_contact", "", "end at the first contact"}, o.stop_on_contact);
+  visit(Field{"record_every", "", "keep every n-th cycle; 0: none", 0, 1e9}, o.record_every);
+}
+
+/// Called after every cycle; may edit the world (sim.shared_world()); returns false to end the drive.
+using OnStep = std::function<bool(const Sim&)>;
+
+/// Who drives a robot, and where to.
+struct Pilot {
+  Navigator navigator;
+  Guide guide;
+};
+
+/// Closes the loop from the simulation's present state on: guide, navigator, step, until the guide has finished, the
+/// time is up or `on_step` says so. Robot k is driven by pilot k; robots without a pilot, or whose guide has finished,
+/// stand still. Returns one run per pilot. Both contracts are reset first. Throws Cancelled when a stop was asked for.
+std::vector<Run> drive(Sim& sim, std::span<const Pilot> pilots, const DriveOptions& options = {}, const Work& work = {},
+                       const OnStep& on_step = {});
+
+/// The same for robot 0 alone.
+Run drive(Sim& sim, const Navigator& navigator, const Guide& guide, const DriveOptions& options = {},
+          const Work& work = {}, const OnStep& on_step = {});
+
+}  // namespace meander
