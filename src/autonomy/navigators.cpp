@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "autonomy/navigators.hpp"
+
+#include "base/error.hpp"
+#include "base/names.hpp"
+#include "polar/potential_field.hpp"
+
+namespace meander {
+namespace {
+
+struct Entry {
+  const char* name;
+  Navigator (*make)(const Platform&);
+};
+
+constexpr Entry kNavigators[] = {
+    {"potential_field", [](const Platform& platform) { return potential_field(platform); }},
+};
+
+}  // namespace
+
+Navigator navigator_by_name(const std::string& name, const Platform& platform) {
+  for (const Entry& entry : kNavigators)
+    if (name == entry.name) return entry.make(platform);
+  const auto names = navigator_names();
+  fail("unknown navigator '{}'; known: {}{}", name, listing(names), did_you_mean(name, names));
+}
+
+std::vector<std::string> navigator_names() {
+  std::vector<std::string> names;
+  for (const Entry& entry : kNavigators) names.emplace_back(entry.name);
+  return names;
+}
+
+}  // namespace meander
