@@ -15,27 +15,61 @@ struct Color {
   bool operator==(const Color&) const = default;
 };
 
-/// What is drawn, in world metres, back to front. Every backend (terminal, PNG, SVG) draws the same list.
+/// What an item stands for, in painting order: later marks cover earlier ones, whatever order they were added in. A
+/// terminal without colours draws each mark by its own character.
+enum class Mark : std::uint8_t {
+  ground,
+  grid,
+  cell,
+  sweep,
+  cone,
+  place,
+  light,
+  open_door,
+  wall,
+  door,
+  mover,
+  path,
+  echo,
+  start,
+  goal,
+  contact,
+  robot,
+  label,
+};
+inline constexpr int kMarks = 18;
+
+/// [m]; beyond it a double no longer tells millimetres apart.
+inline constexpr double kDrawnReach = 1e12;
+
+/// What is drawn, in world metres. Every backend (terminal, PNG, SVG) draws the same list. Items with a number that is
+/// not finite or beyond kDrawnReach are left out.
 struct DrawPolyline {
   std::vector<Vec2> points;
   bool closed = false;
   double width = 0;  ///< [m]; 0: a hairline
   Color color;
+  Mark mark = Mark::wall;
 };
 struct DrawArea {
   Polygon polygon;
   Color color;
+  Mark mark = Mark::wall;
 };
 struct DrawDisc {
   Disc disc;
-  bool filled = true;
   Color color;
+  Mark mark = Mark::wall;
 };
+enum class Align { left, center, right };
 struct DrawText {
-  Vec2 at{0, 0};  ///< lower left of the text
+  Vec2 at{0, 0};  ///< on the base line: its left end, middle or right end
   std::string text;
-  double height = 0.25;  ///< [m]
+  double height = 0.25;  ///< of a capital letter [m]
   Color color;
+  Color halo{0, 0, 0, 0};  ///< thin rim that keeps the text readable on anything
+  Align align = Align::left;
+  Mark mark = Mark::label;
 };
 /// Coloured cells, e.g. a map or an activation landscape.
 struct DrawCells {
@@ -43,6 +77,7 @@ struct DrawCells {
   double resolution = 1;  ///< [m]
   int width = 0, height = 0;
   std::vector<Color> colors;  ///< row-major, bottom row first
+  std::vector<Mark> marks;    ///< the same shape, or empty: Mark::cell everywhere
 };
 using DrawItem = std::variant<DrawPolyline, DrawArea, DrawDisc, DrawText, DrawCells>;
 
@@ -51,5 +86,18 @@ struct DrawList {
   Color background{255, 255, 255, 255};
   std::vector<DrawItem> items;
 };
+
+/// Cells count as Mark::cell.
+Mark mark_of(const DrawItem& item);
+
+/// The items in painting order: by mark, and within a mark in the order they were added.
+std::vector<const DrawItem*> painting_order(const DrawList& list);
+
+/// Can the item be drawn at all? Numbers finite, sizes matching.
+bool drawable(const DrawItem& item);
+
+/// Valid UTF-8 without control characters: names come from files and must neither break XML nor steer a terminal.
+/// Offending bytes become U+FFFD.
+std::string printable(const std::string& text);
 
 }  // namespace meander

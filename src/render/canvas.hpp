@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "grid/image_file.hpp"
+#include "render/draw_list.hpp"
+#include "render/viewport.hpp"
+
+namespace meander {
+
+/// Pixels of colour, and of what they stand for.
+struct Canvas {
+  Viewport viewport;
+  Image image;                      ///< RGB
+  std::vector<std::uint8_t> marks;  ///< the Mark on top of each pixel
+  double least_width = 1;           ///< [pixels] hairlines, and lines that would be thinner
+  bool smooth = true;               ///< soften edges; false: every pixel belongs to one item
+  bool lettered = true;             ///< paint texts
+};
+
+Canvas blank_canvas(const Viewport& viewport, int width, int height, Color background);
+
+/// Paints all items in painting order.
+void paint(Canvas& canvas, const DrawList& list);
+
+}  // namespace meander

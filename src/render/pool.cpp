@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "render/pool.hpp"
+
+#include <array>
+
+namespace meander {
+namespace {
+
+constexpr bool is_solid(int mark) {
+  return mark == static_cast<int>(Mark::wall) || mark == static_cast<int>(Mark::door);
+}
+
+/// How often each mark occurs in a block, and the colour sums of solid and other pixels.
+struct Tally {
+  std::array<std::uint16_t, kMarks> count{};
+  std::array<std::array<int, 3>, 2> sum{};
+  int solid = 0;
+  int above = 0;  ///< pixels of marks that cover solids
+};
+
+class Tallies {
+ public:
+  Tallies(const Canvas& canvas, int block_width, int block_height)
+      : columns_(canvas.image.width / block_width),
+        rows_(canvas.image.height / block_height),
+        pixels_(block_width * block_height),
+        blocks_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+    for (int y = 0; y < rows_ * block_height; ++y)
+      for (int x = 0; x < columns_ * block_width; ++x) {
+        const auto pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(canvas.image.width) + static_cast<std::size_t>(x);
+        add(blocks_[index(x / block_width, y / block_height)], canvas.marks[pixel], &canvas.image.pixels[3 * pixel]);
+      }
+  }
+
+  std::vector<Pool> pools() const {
+    std::vector<Pool> pools;
+    pools.reserve(blocks_.size());
+    for (int row = 0; row < rows_; ++row)
+      for (int column = 0; column < columns_; ++column) pools.push_back(pool(column, row));
+    return pools;
+  }
+
+ private:
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
+
+  static void add(Tally& tally, std::uint8_t mark, const std::uint8_t* rgb) {
+    ++tally.count[mark];
+    tally.solid += is_solid(mark);
+    tally.above += mark > static_cast<int>(Mark::door);
+    for (std::size_t i = 0; i < 3; ++i) tally.sum[is_solid(mark)][i] += rgb[i];
+  }
+
+  int solid_at(int column, int row) const {
+    if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return 0;
+    return blocks_[index(column, row)].solid;
+  }
+
+  bool half_covered(int solid) const { return 2 * solid >= pixels_; }
+
+  /// Does a thin wall cross here rather than in the block on either side? The first of two equals wins.
+  bool ridge(int solid, int before, int after) const {
+    return solid >= before && solid > after && !half_covered(before) && !half_covered(after);
+  }
+
+  bool solid(int column, int row) const {
+    const int here = solid_at(column, row);
+    if (half_covered(here)) return true;
+    if (8 * here < pixels_) return false;
+    return ridge(here, solid_at(column - 1, row), solid_at(column + 1, row)) ||
+           ridge(here, solid_at(column, row - 1), solid_at(column, row + 1));
+  }
+
+  Pool pool(int column, int row) const {
+    const Tally& tally = blocks_[index(column, row)];
+    const bool is_wall = tally.solid > 0 && solid(column, row);
+    return {color(tally, is_wall && tally.solid >= tally.above), mark(tally, is_wall)};
+  }
+
+  /// The uppermost mark that covers an eighth of the block.
+  Mark mark(const Tally& tally, bool is_wall) const {
+    for (int mark = kMarks - 1; mark > 0; --mark) {
+      const bool shows = is_solid(mark) ? is_wall && tally.count[static_cast<std::size_t>(mark)] * 2 >= tally.solid
+                                        : 8 * tally.count[static_cast<std::size_t>(mark)] >= pixels_;
+      if (shows) return static_cast<Mark>(mark);
+    }
+    return Mark::ground;
+  }
+
+  Color color(const Tally& tally, bool of_solid) const {
+    if (tally.solid == pixels_) of_solid = true;
+    const int count = of_solid ? tally.solid : pixels_ - tally.solid;
+    const auto& sum = tally.sum[of_solid];
+    const auto mean = [&](std::size_t i) { return static_cast<std::uint8_t>((sum[i] + count / 2) / count); };
+    return {mean(0), mean(1), mean(2)};
+  }
+
+  int columns_, rows_, pixels_;
+  std::vector<Tally> blocks_;
+};
+
+}  // namespace
+
+std::vector<Pool> pooled(const Canvas& canvas, int block_width, int block_height) {
+  return Tallies(canvas, block_width, block_height).pools();
+}
+
+}  // namespace meander

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <vector>
+
+#include "render/canvas.hpp"
+
+namespace meander {
+
+/// What a block of canvas pixels shows as a whole.
+struct Pool {
+  Color color;
+  Mark mark = Mark::ground;
+};
+
+/// Blocks of width x height pixels, row-major. Averages would wash thin walls out, so walls and closed doors are
+/// decided first: a block is solid when they cover half of it, or when they cover an eighth and more than its
+/// neighbours (then it is where a thin wall runs). Solid blocks show only the solid's colour, the others only the rest.
+std::vector<Pool> pooled(const Canvas& canvas, int block_width, int block_height);
+
+}  // namespace meander
