@@ -1,0 +1,95 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- SPDX-FileCopyrightText: the meander authors
+-- Values as text for people: what the prompt echoes. Tables are shown with limits on depth, number of items and width,
+-- and keys in a fixed order; a table inside itself is named, not followed.
+local pretty = {}
+
+local limits = { depth = 4, items = 40, width = 80, text = 200 }
+
+local keywords = {}
+for word in ("and break do else elseif end false for function goto if in local nil not or repeat return then true until while")
+    :gmatch("%a+") do
+  keywords[word] = true
+end
+
+local escapes = { ["\n"] = "\\n", ["\t"] = "\\t", ["\r"] = "\\r", ["\\"] = "\\\\", ['"'] = '\\"' }
+
+local function quoted(text)
+  local shown = #text > limits.text and text:sub(1, limits.text) or text
+  shown = shown:gsub('[%c"\\\127]', function(c) return escapes[c] or ("\\%03d"):format(c:byte()) end)
+  return '"' .. shown .. '"' .. (#text > limits.text and ("... (%d bytes)"):format(#text) or "")
+end
+
+-- Numbers, then texts, then the rest, so that the same table always reads the same.
+local function before(a, b)
+  local ta, tb = math.type(a) and "" or type(a), math.type(b) and "" or type(b)
+  if ta ~= tb then return ta < tb end
+  if ta == "" or ta == "string" then return a < b end
+  return tostring(a) < tostring(b)
+end
+
+local function sorted_keys(t, length)
+  local keys = {}
+  for key in next, t do
+    if not (math.type(key) == "integer" and key >= 1 and key <= length) then keys[#keys + 1] = key end
+  end
+  table.sort(keys, before)
+  return keys
+end
+
+local show
+
+local function key_text(key, state)
+  if type(key) == "string" and key:match("^[%a_][%w_]*$") and not keywords[key] then return key end
+  return "[" .. (type(key) == "string" and quoted(key) or show(key, state, limits.depth)) .. "]"
+end
+
+-- The entries of a table as texts; those beyond the limit are counted.
+local function entries(t, state, depth)
+  local texts, length = {}, rawlen(t)
+  local keys = sorted_keys(t, length)
+  for i = 1, math.min(length, limits.items) do texts[i] = show(rawget(t, i), state, depth + 1) end
+  for _, key in ipairs(keys) do
+    if #texts >= limits.items then break end
+    texts[#texts + 1] = key_text(key, state) .. " = " .. show(rawget(t, key), state, depth + 1)
+  end
+  local hidden = length + #keys - #texts
+  if hidden > 0 then texts[#texts + 1] = ("... %d more"):format(hidden) end
+  return texts
+end
+
+local function table_text(t, state, depth)
+  if next(t) == nil then return "{}" end
+  if state[t] then return "{ (this table again) }" end
+  if depth >= limits.depth then return "{ ... }" end
+  state[t] = true
+  local texts = entries(t, state, depth)
+  state[t] = nil
+  local line = "{ " .. table.concat(texts, ", ") .. " }"
+  if utf8.len(line, 1, -1, true) and #line + 2 * depth <= limits.width and not line:find("\n") then return line end
+  local margin = ("  "):rep(depth + 1)
+  return "{\n" .. margin .. table.concat(texts, ",\n" .. margin) .. "\n" .. ("  "):rep(depth) .. "}"
+end
+
+function show(value, state, depth)
+  if type(value) == "string" then return quoted(value) end
+  if type(value) ~= "table" then return tostring(value) end
+  local meta = getmetatable(value)
+  if type(meta) == "table" and rawget(meta, "__tostring") then return tostring(value) end
+  return table_text(value, state, depth)
+end
+
+-- One value. Texts are quoted.
+function pretty.text(value) return show(value, {}, 0) end
+
+-- What the prompt writes for the values of an expression. A text of several lines stands as it is.
+function pretty.echo(...)
+  local texts = table.pack(...)
+  for i = 1, texts.n do
+    local value = texts[i]
+    texts[i] = type(value) == "string" and value:find("\n", 1, true) and value:gsub("\n$", "") or pretty.text(value)
+  end
+  return table.concat(texts, "  ", 1, texts.n)
+end
+
+return pretty

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "app/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <string_view>
+
+#include "base/names.hpp"
+
+namespace meander {
+namespace {
+
+constexpr const char* kFooter = R"(
+FILE and everything behind it belong to the script: its arguments are in the table 'arg' and in '...'. A lone - reads the
+script from standard input, and so does a call without FILE when standard input is not a terminal.
+
+Exit codes: 0 done, 1 error in a script, 2 error on the command line, 3 a test failed, 130 interrupted.)";
+
+struct Formatter : CLI::Formatter {
+  std::string make_usage(const CLI::App*, std::string) const override {
+    return "Usage: meander [OPTIONS] [FILE [ARGUMENTS...]]\n"
+           "Without FILE and -e: the prompt. In a checkout, ./meander test runs the test suite.\n";
+  }
+};
+
+int usage_error(const std::string& message) {
+  fmt::print(stderr, "meander: {} (meander --help tells more)\n", message);
+  return kExitUsage;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+/// What stands behind the options: the script and its arguments, or something that looked like an option.
+std::optional<int> take_script(const CLI::App& app, std::vector<std::string> rest, CommandLine& line) {
+  const bool separated = !rest.empty() && rest[0] == "--";
+  if (separated) rest.erase(rest.begin());
+  if (rest.empty()) return std::nullopt;
+  if (!separated && rest[0].size() > 1 && rest[0][0] == '-') {
+    const std::string name = rest[0].substr(0, rest[0].find('='));
+    return usage_error(fmt::format("unknown option '{}'{}", name, did_you_mean(name, option_names(app))));
+  }
+  line.script = rest[0];
+  line.arguments.assign(rest.begin() + 1, rest.end());
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<int> parse_command_line(int argc, char** argv, CommandLine& line) {
+  CLI::App app("meander: a laboratory for sonar navigation in a terminal", "meander");
+  app.formatter(std::make_shared<Formatter>());
+  app.footer(kFooter);
+  app.set_help_flag("-h,--help", "this text");
+  app.set_version_flag("--version", "meander " MEANDER_VERSION, "the version");
+  app.add_option("-e", line.code, "run CODE; may be repeated")->type_name("CODE")->allow_extra_args(false);
+  app.add_option("-l", line.modules, "require MODULE before anything else; may be repeated")
+      ->type_name("MODULE")
+      ->allow_extra_args(false);
+  app.add_flag("-i", line.interactive, "the prompt, after everything else");
+  app.add_flag("--no-rc", line.no_rc, "at the prompt, skip the start-up file $XDG_CONFIG_HOME/meander/init.lua");
+  app.add_option("--lua-dir", line.lua_dir, "use the Lua modules of DIR instead of those inside the program")
+      ->type_name("DIR");
+  app.prefix_command();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& wanted) {
+    return app.exit(wanted);
+  } catch (const CLI::ParseError& error) {
+    return usage_error(error.what());
+  }
+  return take_script(app, app.remaining(), line);
+}
+
+}  // namespace meander

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meander {
+
+/// Exit codes of the program.
+inline constexpr int kExitOk = 0;
+inline constexpr int kExitScriptError = 1;
+inline constexpr int kExitUsage = 2;
+inline constexpr int kExitInterrupted = 130;
+
+/// What the user asked for.
+struct CommandLine {
+  std::vector<std::string> modules;  ///< -l
+  std::vector<std::string> code;     ///< -e
+  std::string lua_dir;
+  std::optional<std::string> script;   ///< "-" is standard input
+  std::vector<std::string> arguments;  ///< what follows the script
+  bool interactive = false;            ///< -i
+  bool no_rc = false;
+};
+
+/// Reads the command line. --help and --version print and give an exit code at once, as does a mistake.
+std::optional<int> parse_command_line(int argc, char** argv, CommandLine& line);
+
+}  // namespace meander

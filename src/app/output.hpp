@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <string>
+
+namespace meander {
+
+/// At the end of the process, however it ends: results that could not be written (a full disk) are an error, and the
+/// exit code says so. A reader that went away ("| head") is none.
+void check_output_at_exit();
+
+/// "meander: text" on stderr, behind everything written to stdout before.
+void complain(const std::string& text);
+
+}  // namespace meander

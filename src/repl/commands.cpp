@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "repl/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace meander::repl {
+namespace {
+
+struct CommandHelp {
+  const char* name;
+  const char* argument;
+  const char* text;
+};
+
+constexpr std::array kCommands = {
+    CommandHelp{".help", "", "this text"},
+    CommandHelp{".load", "FILE", "run a script here; its globals stay"},
+    CommandHelp{".save", "FILE", "write what was typed and worked as a script"},
+    CommandHelp{".timer", "on|off", "tell how long each input took"},
+    CommandHelp{".quit", "", "leave, as Ctrl-D does"},
+};
+
+constexpr const char* kKeys = R"(
+Type Lua. An expression shows its value, which is then in _ ; the modules of meander are plain names: world, sim, ...
+Tab completes names and files, the arrow keys recall what was typed before, Ctrl-R searches it.
+Ctrl-C stops whatever runs and keeps everything; Ctrl-D leaves.
+)";
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
+  return text;
+}
+
+}  // namespace
+
+bool is_command(std::string_view line) {
+  line = trimmed(line);
+  return line.size() > 1 && line[0] == '.' && std::isalpha(static_cast<unsigned char>(line[1]));
+}
+
+Command split_command(std::string_view line) {
+  line = trimmed(line);
+  const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+  return {std::string(line.substr(0, end)), std::string(trimmed(line.substr(end)))};
+}
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const CommandHelp& command : kCommands) names.emplace_back(command.name);
+  return names;
+}
+
+std::string command_help() {
+  std::string text;
+  for (const CommandHelp& command : kCommands)
+    text += fmt::format("  {:<6} {:<7} {}\n", command.name, command.argument, command.text);
+  return text + kKeys;
+}
+
+}  // namespace meander::repl

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "repl/line.hpp"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <optional>
+// readline's headers need <cstdio> before them
+#include <readline/history.h>
+#include <readline/readline.h>
+
+#include "repl/history.hpp"
+
+namespace meander::repl {
+namespace {
+
+constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGWINCH};
+
+// readline calls back without a context of ours.
+LineEditor::Completer completer;
+std::optional<std::string> entered;
+bool finished = false;
+volatile std::sig_atomic_t arrived[NSIG];
+
+void note_signal(int signal) { arrived[signal] = 1; }
+
+bool take_signal(int signal) {
+  const bool was_there = arrived[signal] != 0;
+  arrived[signal] = 0;
+  return was_there;
+}
+
+void on_line(char* text) {
+  finished = true;
+  if (text) entered = text;
+  std::free(text);
+  rl_callback_handler_remove();
+}
+
+/// Signals reach the program only while it waits in ppoll; there they are noted and acted on in plain code, since
+/// readline may not be called from a handler.
+class NotedSignals {
+ public:
+  NotedSignals() {
+    sigset_t noted;
+    sigemptyset(&noted);
+    struct sigaction action {};
+    action.sa_handler = note_signal;
+    sigemptyset(&action.sa_mask);
+    for (std::size_t i = 0; i < kSignals.size(); ++i) {
+      arrived[kSignals[i]] = 0;
+      sigaddset(&noted, kSignals[i]);
+      sigaction(kSignals[i], &action, &previous_[i]);
+    }
+    pthread_sigmask(SIG_BLOCK, &noted, &waiting_mask_);
+  }
+  ~NotedSignals() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &previous_[i], nullptr);
+    pthread_sigmask(SIG_SETMASK, &waiting_mask_, nullptr);
+  }
+  NotedSignals(const NotedSignals&) = delete;
+  NotedSignals& operator=(const NotedSignals&) = delete;
+
+  /// True when a key can be read.
+  bool wait_for_key() const {
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    return ppoll(&input, 1, nullptr, &waiting_mask_) > 0;
+  }
+
+ private:
+  std::array<struct sigaction, kSignals.size()> previous_;
+  sigset_t waiting_mask_;
+};
+
+/// Does with the terminal restored what the signal does by itself.
+void obey(int signal) {
+  rl_deprep_terminal();
+  std::signal(signal, SIG_DFL);
+  sigset_t only;
+  sigemptyset(&only);
+  sigaddset(&only, signal);
+  raise(signal);
+  pthread_sigmask(SIG_UNBLOCK, &only, nullptr);  // ends or stops here; goes on when continued
+  pthread_sigmask(SIG_BLOCK, &only, nullptr);
+  std::signal(signal, note_signal);
+  rl_prep_terminal(1);
+  rl_forced_update_display();
+}
+
+/// True when the line is given up.
+bool act_on_signals() {
+  if (take_signal(SIGWINCH)) rl_resize_terminal();
+  for (const int signal : {SIGTERM, SIGHUP, SIGTSTP})
+    if (take_signal(signal)) obey(signal);
+  if (!take_signal(SIGINT)) return false;
+  rl_callback_sigcleanup();
+  rl_free_line_state();
+  rl_callback_handler_remove();
+  std::fputs("^C\n", rl_outstream);
+  return true;
+}
+
+/// The array that readline wants: the common beginning, the words, null; all for it to free.
+char** match_array(const std::vector<std::string>& words) {
+  if (words.empty()) return nullptr;
+  std::string common = words.front();
+  for (const std::string& word : words) {
+    const auto end = std::mismatch(common.begin(), common.end(), word.begin(), word.end()).first;
+    common.erase(end, common.end());
+  }
+  auto* matches = static_cast<char**>(std::malloc((words.size() + 2) * sizeof(char*)));
+  std::size_t count = 0;
+  matches[count++] = strdup(common.c_str());
+  if (words.size() > 1)
+    for (const std::string& word : words) matches[count++] = strdup(word.c_str());
+  matches[count] = nullptr;
+  return matches;
+}
+
+char** complete_word(const char* text, int, int end) {
+  rl_attempted_completion_over = 1;
+  rl_completion_append_character = '\0';
+  const script::Completion completion = completer(std::string_view(rl_line_buffer, static_cast<std::size_t>(end)));
+  if (!completion.file_name) return match_array(completion.words);
+  rl_filename_completion_desired = 1;
+  return rl_completion_matches(text, rl_filename_completion_function);
+}
+
+void set_up_readline() {
+  rl_readline_name = "meander";
+  rl_catch_signals = 0;
+  rl_catch_sigwinch = 0;
+  rl_attempted_completion_function = complete_word;
+  rl_completer_word_break_characters = " \t\n\"'`$@><=;|&{}()[]+-*/%^~#,.:";
+  rl_basic_quote_characters = "\"'";
+  rl_completer_quote_characters = "\"'";
+  if (!isatty(STDOUT_FILENO)) rl_outstream = stderr;  // results go elsewhere: keep them free of prompts
+}
+
+}  // namespace
+
+LineEditor::LineEditor(Completer complete, const std::vector<std::string>& history)
+    : interactive_(isatty(STDIN_FILENO)) {
+  completer = std::move(complete);
+  if (!interactive_) return;
+  set_up_readline();
+  using_history();
+  stifle_history(static_cast<int>(History::kMost));
+  for (const std::string& entry : history) add_history(entry.c_str());
+}
+
+void LineEditor::remember(const std::string& entry) {
+  if (!interactive_ || entry.empty()) return;
+  for (int i = history_length - 1; i >= 0; --i) {
+    const HIST_ENTRY* known = history_get(history_base + i);
+    if (!known || entry != known->line) continue;
+    free_history_entry(remove_history(i));
+    break;
+  }
+  add_history(entry.c_str());
+}
+
+LineEnd LineEditor::read_terminal(const std::string& prompt, std::string& line) {
+  const NotedSignals signals;
+  finished = false;
+  entered.reset();
+  rl_callback_handler_install(prompt.c_str(), on_line);
+  while (!finished) {
+    if (signals.wait_for_key()) rl_callback_read_char();
+    if (!finished && act_on_signals()) return LineEnd::interrupted;
+  }
+  if (!entered) {
+    std::fputc('\n', rl_outstream);
+    return LineEnd::end_of_input;
+  }
+  line = *entered;
+  return LineEnd::entered;
+}
+
+LineEnd LineEditor::read(const std::string& prompt, std::string& line) {
+  if (interactive_) return read_terminal(prompt, line);
+  char* text = nullptr;
+  std::size_t room = 0;
+  const ssize_t length = getline(&text, &room, stdin);
+  const std::unique_ptr<char, decltype(&std::free)> owner(text, std::free);
+  if (length < 0) return LineEnd::end_of_input;
+  line.assign(text, static_cast<std::size_t>(length));
+  if (line.ends_with('\n')) line.pop_back();
+  return LineEnd::entered;
+}
+
+}  // namespace meander::repl

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "script/interpreter.hpp"
+
+#include <lauxlib.h>
+#include <lua.h>
+#include <lualib.h>
+
+#include <filesystem>
+#include <new>
+
+#include "script/bindings.hpp"
+#include "script/lua_interrupt.hpp"
+#include "script/lua_setup.hpp"
+
+namespace meander::script {
+namespace {
+
+/// math.random starts from the clock in Lua 5.4: two runs of the same script would differ.
+void seed_library_random(lua_State* L) {
+  lua_getglobal(L, "math");
+  lua_getfield(L, -1, "randomseed");
+  lua_pushinteger(L, 1);
+  lua_call(L, 1, 0);
+  lua_pop(L, 1);
+}
+
+/// Everything that may raise while the state is set up; argument 1 is the folder of --lua-dir.
+int set_up(lua_State* L) {
+  lua_pushboolean(L, true);
+  lua_setfield(L, LUA_REGISTRYINDEX, "LUA_NOENV");  // LUA_PATH would make runs depend on the machine
+  luaL_openlibs(L);
+  open_modules(L, lua_tostring(L, 1));
+  set_module_folder(L, ".");
+  open_threads(L);
+  seed_library_random(L);
+  bind_all(L);
+  open_strict(L);
+  return 0;
+}
+
+bool ends_in_eof(lua_State* L) {
+  constexpr std::string_view kMark = "<eof>";
+  const std::string message = pop_text(L);
+  return message.ends_with(kMark);
+}
+
+/// require(name), kept as a global named like the last part of the name.
+int require_global(lua_State* L) {
+  lua_getglobal(L, "require");
+  lua_pushvalue(L, 1);
+  lua_call(L, 1, 1);
+  const std::string_view name = lua_tostring(L, 1);
+  lua_setglobal(L, name.substr(name.rfind('.') + 1).data());
+  return 0;
+}
+
+/// The values as text. The first one, unless it is nil, becomes `_`.
+int echo_values(lua_State* L) {
+  const int count = lua_gettop(L);
+  if (!lua_isnil(L, 1)) {
+    lua_pushvalue(L, 1);
+    lua_setglobal(L, "_");
+  }
+  lua_getglobal(L, "require");
+  lua_pushliteral(L, "meander.pretty");
+  lua_call(L, 1, 1);
+  lua_getfield(L, -1, "echo");
+  lua_replace(L, -2);
+  lua_insert(L, 1);
+  lua_call(L, count, 1);
+  return 1;
+}
+
+}  // namespace
+
+Interpreter::Interpreter(const std::string& lua_dir) : L_(luaL_newstate()) {
+  if (!L_) throw std::bad_alloc();
+  attach(L_, session_);
+  lua_pushcfunction(L_, set_up);
+  lua_pushlstring(L_, lua_dir.data(), lua_dir.size());
+  ErrorReport report;
+  if (call_reporting(L_, 1, report)) return;
+  lua_close(L_);
+  fail<Error>("{}", report.message);
+}
+
+Interpreter::~Interpreter() {
+  release_interrupt_signal();
+  lua_close(L_);
+}
+
+void Interpreter::set_arguments(const std::string& script, const std::vector<std::string>& arguments) {
+  lua_createtable(L_, static_cast<int>(arguments.size()), 1);
+  lua_pushlstring(L_, script.data(), script.size());
+  lua_rawseti(L_, -2, 0);
+  lua_Integer index = 0;
+  for (const std::string& argument : arguments) {
+    lua_pushlstring(L_, argument.data(), argument.size());
+    lua_rawseti(L_, -2, ++index);
+  }
+  lua_setglobal(L_, "arg");
+}
+
+int Interpreter::push_arguments() {
+  lua_getglobal(L_, "arg");
+  if (!lua_istable(L_, -1)) return lua_pop(L_, 1), 0;
+  const int count = static_cast<int>(lua_rawlen(L_, -1));
+  luaL_checkstack(L_, count, "too many arguments");
+  for (int i = 1; i <= count; ++i) lua_rawgeti(L_, -i, i);
+  lua_remove(L_, -(count + 1));
+  return count;
+}
+
+Outcome Interpreter::load_failure() {
+  Outcome outcome;
+  outcome.kind = Outcome::Kind::failed;
+  outcome.message = pop_text(L_);
+  return outcome;
+}
+
+Outcome Interpreter::run_loaded(int arguments, bool echo) {
+  const InterruptScope scope(L_, session_.stop);
+  const int first = lua_gettop(L_) - arguments;
+  Outcome outcome;
+  bool done = call_reporting(L_, arguments, outcome);
+  if (done && echo && lua_gettop(L_) >= first) {
+    lua_pushcfunction(L_, echo_values);
+    lua_insert(L_, first);
+    done = call_reporting(L_, lua_gettop(L_) - first, outcome);
+    if (done) outcome.echo = pop_text(L_);
+  }
+  if (!done) outcome.kind = Outcome::Kind::failed;
+  if (session_.stop.requested()) outcome.kind = Outcome::Kind::interrupted;
+  lua_settop(L_, first - 1);
+  return outcome;
+}
+
+Outcome Interpreter::run_main(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  set_module_folder(L_, folder.empty() ? "." : folder);
+  if (luaL_loadfilex(L_, path.c_str(), "t") != LUA_OK) return load_failure();
+  return run_loaded(push_arguments());
+}
+
+Outcome Interpreter::run_input() {
+  if (luaL_loadfilex(L_, nullptr, "t") != LUA_OK) return load_failure();
+  return run_loaded(push_arguments());
+}
+
+Outcome Interpreter::run_file(const std::string& path) {
+  if (luaL_loadfilex(L_, path.c_str(), "t") != LUA_OK) return load_failure();
+  return run_loaded(0);
+}
+
+bool Interpreter::load(const std::string& code, const char* chunk) {
+  return luaL_loadbufferx(L_, code.data(), code.size(), chunk, "t") == LUA_OK;
+}
+
+Outcome Interpreter::run_text(const std::string& code, const char* chunk) {
+  return load(code, chunk) ? run_loaded(0) : load_failure();
+}
+
+Outcome Interpreter::load_module(const std::string& module) {
+  lua_pushcfunction(L_, require_global);
+  lua_pushlstring(L_, module.data(), module.size());
+  return run_loaded(1);
+}
+
+bool Interpreter::incomplete(const std::string& text) const {
+  for (const std::string& form : {text, "return " + text}) {
+    if (luaL_loadbufferx(L_, form.data(), form.size(), kPromptChunk, "t") == LUA_OK) return lua_pop(L_, 1), false;
+    if (ends_in_eof(L_)) return true;
+  }
+  return false;
+}
+
+Outcome Interpreter::evaluate(const std::string& text) {
+  const bool value = load("return " + text, kPromptChunk);
+  const bool statement = load(text, kPromptChunk);
+  if (value)
+    lua_pop(L_, 1);
+  else
+    lua_remove(L_, -2);
+  if (!value && !statement) return load_failure();
+  Outcome outcome = run_loaded(0, value);
+  outcome.value = value;
+  outcome.statement = statement;
+  return outcome;
+}
+
+std::vector<std::string> Interpreter::plain_modules() const { return script::plain_modules(L_); }
+
+Completion Interpreter::complete(std::string_view text) const { return script::complete(L_, text); }
+
+}  // namespace meander::script

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "script/completion.hpp"
+#include "script/lua_traceback.hpp"
+#include "script/session.hpp"
+
+namespace meander::script {
+
+/// How a piece of Lua ended.
+struct Outcome : ErrorReport {
+  enum class Kind { done, failed, interrupted };
+  Kind kind = Kind::done;
+  std::string echo;        ///< of evaluate(): the values as text, empty where there are none
+  bool value = false;      ///< of evaluate(): an expression
+  bool statement = false;  ///< of evaluate(): could stand alone in a script; a call is both
+
+  bool done() const { return kind == Kind::done; }
+};
+
+/// A Lua state with the standard libraries, strict globals, `meander`, and an interrupt that always works. Scripts are
+/// texts: bytecode is refused. math.random starts from the same seed in every run.
+class Interpreter {
+ public:
+  /// `lua_dir` (may be empty) holds Lua modules to use instead of those inside the program.
+  explicit Interpreter(const std::string& lua_dir = {});
+  ~Interpreter();
+  Interpreter(const Interpreter&) = delete;
+  Interpreter& operator=(const Interpreter&) = delete;
+
+  Session& session() { return session_; }
+
+  /// `script` and `arguments` become the global `arg`, as lua(1) has it; main scripts also get the arguments as `...`.
+  void set_arguments(const std::string& script, const std::vector<std::string>& arguments);
+  /// The main script: `require` looks beside it.
+  Outcome run_main(const std::string& path);
+  /// The main script from standard input.
+  Outcome run_input();
+  /// Any other script.
+  Outcome run_file(const std::string& path);
+  Outcome run_text(const std::string& code, const char* chunk);
+  /// require(module), kept as a global named like the last part of the name.
+  Outcome load_module(const std::string& module);
+
+  /// True where `text` is the beginning of something: more lines must follow.
+  bool incomplete(const std::string& text) const;
+  /// Runs what was typed at the prompt. Expressions need no `return`; their first value is kept in `_`.
+  Outcome evaluate(const std::string& text);
+  /// What may stand at the end of `text`. Runs no code of the user.
+  Completion complete(std::string_view text) const;
+  /// Modules that were used by their plain names at the prompt.
+  std::vector<std::string> plain_modules() const;
+
+ private:
+  bool load(const std::string& code, const char* chunk);
+  Outcome run_loaded(int arguments, bool echo = false);
+  Outcome load_failure();
+  int push_arguments();
+
+  Session session_;
+  lua_State* L_;
+};
+
+}  // namespace meander::script

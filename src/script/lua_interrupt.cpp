@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "script/lua_interrupt.hpp"
+
+#include <lauxlib.h>
+#include <pthread.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+
+namespace meander::script {
+namespace {
+
+// What the signal handler needs, and nothing else. Lock-free, written by the main thread only.
+std::atomic<StopToken*> current_stop{nullptr};
+std::atomic<lua_State*> main_state{nullptr};
+std::atomic<lua_State*> running_state{nullptr};
+pthread_t main_thread;
+termios terminal_at_start;
+bool terminal_known = false;
+bool installed = false;
+
+bool stopping() {
+  const StopToken* stop = current_stop.load();
+  return stop && stop->requested();
+}
+
+void raise_interrupt(lua_State* L, lua_Debug* activation) {
+  if (!stopping()) return lua_sethook(L, nullptr, 0, 0);
+  lua_getinfo(L, "Sl", activation);
+  luaL_error(L, "%s:%d: interrupted", activation->short_src, activation->currentline);
+}
+
+/// Counting single instructions is the only mask that is safe here: call and return hooks would also fire inside the
+/// handler that builds the error message.
+void hook(lua_State* L) {
+  if (L) lua_sethook(L, raise_interrupt, LUA_MASKCOUNT, 1);
+}
+
+[[noreturn]] void leave_at_once() {
+  if (terminal_known) tcsetattr(STDIN_FILENO, TCSANOW, &terminal_at_start);
+  _exit(128 + SIGINT);
+}
+
+void on_interrupt(int signal) {
+  const int saved_errno = errno;
+  if (!pthread_equal(pthread_self(), main_thread)) {
+    pthread_kill(main_thread, signal);  // a Lua state may be hooked only by the thread that runs it
+  } else if (StopToken* stop = current_stop.load()) {
+    if (stop->requested()) leave_at_once();
+    stop->request();
+    hook(main_state.load());
+    hook(running_state.load());
+  }
+  errno = saved_errno;
+}
+
+void install() {
+  main_thread = pthread_self();
+  terminal_known = tcgetattr(STDIN_FILENO, &terminal_at_start) == 0;
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;  // without SA_RESTART: a read that blocks returns
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  installed = true;
+}
+
+}  // namespace
+
+InterruptScope::InterruptScope(lua_State* main, StopToken& stop) : main_(main), stop_(stop) {
+  if (!installed) install();
+  stop_.clear();
+  main_state = main;
+  running_state = main;
+  current_stop = &stop_;
+}
+
+InterruptScope::~InterruptScope() {
+  current_stop = nullptr;
+  running_state = nullptr;
+  main_state = nullptr;
+  lua_sethook(main_, nullptr, 0, 0);
+  stop_.clear();
+}
+
+void release_interrupt_signal() {
+  if (installed) std::signal(SIGINT, SIG_DFL);
+  installed = false;
+}
+
+RunningThread::RunningThread(lua_State* thread, lua_State* from) : from_(from) {
+  running_state = thread;
+  if (stopping()) hook(thread);
+}
+
+RunningThread::~RunningThread() {
+  running_state = from_;
+  if (stopping()) hook(from_);
+}
+
+}  // namespace meander::script

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include <lauxlib.h>
+#include <lua.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "script/lua_embedded.hpp"
+#include "script/lua_setup.hpp"
+
+namespace meander::script {
+namespace {
+
+constexpr std::string_view kPrefix = "meander.";
+
+int not_found(lua_State* L, const std::string& where) {
+  lua_pushlstring(L, where.data(), where.size());
+  return 1;
+}
+
+/// Searcher over the folder of --lua-dir; upvalue 1 is the folder.
+int search_folder(lua_State* L) {
+  std::string name = luaL_checkstring(L, 1);
+  if (!name.starts_with(kPrefix)) return not_found(L, {});
+  name.erase(0, kPrefix.size());
+  std::replace(name.begin(), name.end(), '.', '/');
+  const std::string path = std::string(lua_tostring(L, lua_upvalueindex(1))) + "/" + name + ".lua";
+  if (std::error_code error; !std::filesystem::exists(path, error)) return not_found(L, "no file '" + path + "'");
+  if (luaL_loadfilex(L, path.c_str(), "t") != LUA_OK) return lua_error(L);
+  lua_pushlstring(L, path.data(), path.size());
+  return 2;
+}
+
+int search_embedded(lua_State* L) {
+  const std::string name = luaL_checkstring(L, 1);
+  for (const EmbeddedModule& module : embedded_modules()) {
+    if (module.name != name) continue;
+    const std::string chunk = "=[" + name + "]";
+    if (luaL_loadbufferx(L, module.text.data(), module.text.size(), chunk.c_str(), "t") != LUA_OK) return lua_error(L);
+    lua_pushliteral(L, ":embedded:");
+    return 2;
+  }
+  return not_found(L, name.starts_with(kPrefix) ? "no module of that name in the program" : "");
+}
+
+}  // namespace
+
+void open_modules(lua_State* L, const std::string& lua_dir) {
+  lua_getglobal(L, "package");
+  lua_getfield(L, -1, "searchers");  // preload, Lua files, C libraries, C libraries all in one
+  lua_createtable(L, 4, 0);
+  int count = 0;
+  const auto add = [&] { lua_rawseti(L, -2, ++count); };
+  lua_rawgeti(L, -2, 1);
+  add();
+  if (!lua_dir.empty()) {
+    lua_pushlstring(L, lua_dir.data(), lua_dir.size());
+    lua_pushcclosure(L, search_folder, 1);
+    add();
+  }
+  lua_pushcfunction(L, search_embedded);
+  add();
+  lua_rawgeti(L, -2, 2);
+  add();
+  lua_setfield(L, -3, "searchers");
+  lua_pushliteral(L, "");
+  lua_setfield(L, -3, "cpath");
+  lua_pushnil(L);
+  lua_setfield(L, -3, "loadlib");
+  lua_pop(L, 2);
+}
+
+void set_module_folder(lua_State* L, const std::string& folder) {
+  const std::string path = folder + "/?.lua;" + folder + "/?/init.lua";
+  lua_getglobal(L, "package");
+  lua_pushlstring(L, path.data(), path.size());
+  lua_setfield(L, -2, "path");
+  lua_pop(L, 1);
+}
+
+}  // namespace meander::script

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include <lauxlib.h>
+#include <lua.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "base/names.hpp"
+#include "script/lua_setup.hpp"
+
+namespace meander::script {
+namespace {
+
+constexpr int kDeclared = lua_upvalueindex(1);
+constexpr const char* kUsedModules = "meander.plain_modules";
+
+enum class Place { host, top_level, inside_function, prompt };
+
+/// Where the code stands that reads or assigns the global.
+Place place_of_access(lua_State* L) {
+  lua_Debug activation;
+  if (!lua_getstack(L, 1, &activation)) return Place::host;
+  lua_getinfo(L, "S", &activation);
+  if (std::strcmp(activation.source, kPromptChunk) == 0) return Place::prompt;
+  if (*activation.what == 'C') return Place::host;
+  return std::strcmp(activation.what, "main") == 0 ? Place::top_level : Place::inside_function;
+}
+
+void add_string_keys(lua_State* L, int table, std::vector<std::string>& names) {
+  table = lua_absindex(L, table);
+  for (lua_pushnil(L); lua_next(L, table); lua_pop(L, 1))
+    if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -2));
+}
+
+/// Locals and upvalues of the function that reads: a misspelt local looks like a global.
+void add_visible_locals(lua_State* L, std::vector<std::string>& names) {
+  lua_Debug activation;
+  if (!lua_getstack(L, 1, &activation)) return;
+  for (int i = 1; const char* name = lua_getlocal(L, &activation, i); ++i, lua_pop(L, 1))
+    if (*name != '(') names.emplace_back(name);
+  lua_getinfo(L, "f", &activation);
+  for (int i = 1; const char* name = lua_getupvalue(L, -1, i); ++i, lua_pop(L, 1)) names.emplace_back(name);
+  lua_pop(L, 1);
+}
+
+/// What to say behind "undeclared variable 'x'".
+std::string advice(lua_State* L, const std::string& name) {
+  lua_getglobal(L, "meander");
+  const bool is_module = lua_istable(L, -1) && (lua_pushstring(L, name.c_str()), lua_rawget(L, -2) != LUA_TNIL);
+  if (is_module) return "; did you mean 'meander." + name + "'?";
+  std::vector<std::string> names;
+  add_visible_locals(L, names);
+  lua_pushglobaltable(L);
+  add_string_keys(L, -1, names);
+  return did_you_mean(name, names);
+}
+
+/// Pushes the module `meander.<name>`, which is a plain name at the prompt.
+bool push_module(lua_State* L, int name) {
+  lua_getglobal(L, "meander");
+  if (!lua_istable(L, -1)) return false;
+  lua_pushvalue(L, name);
+  if (lua_rawget(L, -2) == LUA_TNIL) return false;
+  lua_getfield(L, LUA_REGISTRYINDEX, kUsedModules);
+  lua_pushvalue(L, name);
+  lua_pushboolean(L, true);
+  lua_rawset(L, -3);
+  lua_pop(L, 1);
+  return true;
+}
+
+int read_undeclared(lua_State* L) {
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, kDeclared) != LUA_TNIL) return 0;
+  const Place place = place_of_access(L);
+  if (place == Place::prompt && push_module(L, 2)) return 1;
+  if (place == Place::host || lua_type(L, 2) != LUA_TSTRING) return 0;
+  const std::string name = lua_tostring(L, 2);
+  return luaL_error(L, "undeclared variable '%s'%s", name.c_str(), advice(L, name).c_str());
+}
+
+int assign_undeclared(lua_State* L) {
+  lua_pushvalue(L, 2);
+  const bool declared = lua_rawget(L, kDeclared) != LUA_TNIL;
+  if (!declared && place_of_access(L) == Place::inside_function && lua_type(L, 2) == LUA_TSTRING)
+    return luaL_error(
+        L,
+        "assignment to undeclared variable '%s' inside a function; write 'local %s', or assign it first at "
+        "the top level of the script",
+        lua_tostring(L, 2), lua_tostring(L, 2));
+  lua_pushvalue(L, 2);
+  lua_pushboolean(L, true);
+  lua_rawset(L, kDeclared);
+  lua_settop(L, 3);
+  lua_rawset(L, 1);
+  return 0;
+}
+
+}  // namespace
+
+void open_strict(lua_State* L) {
+  lua_newtable(L);
+  lua_setfield(L, LUA_REGISTRYINDEX, kUsedModules);
+  lua_pushglobaltable(L);
+  lua_createtable(L, 0, 3);
+  lua_newtable(L);
+  const luaL_Reg functions[] = {{"__index", read_undeclared}, {"__newindex", assign_undeclared}, {nullptr, nullptr}};
+  luaL_setfuncs(L, functions, 1);
+  lua_pushliteral(L, "strict");
+  lua_setfield(L, -2, "__metatable");
+  lua_setmetatable(L, -2);
+  lua_pop(L, 1);
+}
+
+std::vector<std::string> plain_modules(lua_State* L) {
+  std::vector<std::string> names;
+  lua_getfield(L, LUA_REGISTRYINDEX, kUsedModules);
+  add_string_keys(L, -1, names);
+  lua_pop(L, 1);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace meander::script
