@@ -8,13 +8,6 @@
 #include "world/validity.hpp"
 
 namespace meander {
-namespace {
-
-/// A point nearer to a shape than this is on it [m].
-constexpr double kOn = 1e-6;
-
-}  // namespace
-
 std::vector<Spot> spots_of(const Item& item) {
   std::vector<Spot> spots;
   if (const auto* place = std::get_if<Place>(&item)) spots.push_back({label(item), place->position, 0});
@@ -39,7 +32,7 @@ void check_within(const Spot& spot, const Box& bounds) {
 
 void check_apart(const Item& blocking, const Spot& spot) {
   const Shape* shape = blocking_shape(blocking);
-  if (shape && distance(*shape, spot.position) < std::max(spot.radius, kOn))
+  if (shape && distance(*shape, spot.position) < std::max(spot.radius, kTouch))
     fail("{} {} {} at {}", label(blocking), std::holds_alternative<Door>(blocking) ? "(closed) covers" : "covers",
          spot.what, point_text(spot.position));
 }

@@ -26,11 +26,7 @@ void check_point(const Vec2& p, const char* what) {
 void check_heading(double heading) { check_number(heading, "heading", -kLargestHeading, kLargestHeading); }
 
 void check_shape(const Shape& shape) {
-  if (const auto* rectangle = std::get_if<Rectangle>(&shape)) check_heading(rectangle->heading);
   if (const auto reason = invalid(shape)) fail("{}", *reason);
-  const Box box = bounding_box(shape);
-  check_point(box.low, "shape");
-  check_point(box.high, "shape");
 }
 
 void check_surface(const Surface& surface) {

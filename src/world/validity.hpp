@@ -8,7 +8,8 @@
 namespace meander {
 
 /// What a thing must be whatever stands around it. Refused with ArgumentError:
-///   - shapes that invalid() refuses; numbers that are not finite; anything farther than kFarthest from the origin;
+///   - shapes that invalid() refuses; numbers that are not finite; anything farther than kFarthest
+///   (geometry/shapes.hpp) along x or y;
 ///   - names that are not 1 to 64 characters of UTF-8 without control characters;
 ///   - echo outside [0, 1], a specular limit outside [0, pi/2], radius, tolerance or light strength <= 0, speed < 0.
 /// Allowed: a mover without waypoints (it stands still), a light anywhere.
@@ -22,8 +23,7 @@ void check_header(const Header& header);
 Item normalised(Item item);
 Header normalised(Header header);
 
-inline constexpr double kFarthest = 1e5;         ///< [m]; no coordinate is larger
-inline constexpr double kLargestHeading = 1e5;   ///< [rad]; before it is brought into (-pi, pi]
+inline constexpr double kLargestHeading = 1e6;   ///< [rad]; before it is brought into (-pi, pi]
 inline constexpr double kLargestNumber = 1e6;    ///< of speeds and strengths
 inline constexpr std::size_t kLongestName = 64;  ///< in characters
 inline constexpr std::size_t kLongestNote = 10000;

@@ -7,7 +7,14 @@
 
 namespace meander {
 
-/// Reads a world from TOML. Throws FileError "path:line: [obstacle 3] key 'size': {width, height} expected, got ...".
+inline constexpr int kWorldFormat = 1;                      ///< the key `format` of [world]
+inline constexpr std::size_t kLargestWorldFile = 64 << 20;  ///< [bytes]
+
+/// Reads a world from TOML: one table [world] with format, title, note, bounds and start, then one table per thing,
+/// [[obstacle]], [[door]], [[mover]], [[light]] or [[place]], in the order in which they come into the world. The shape
+/// of a thing is told by its keys: points (wall), outer (polygon), center and size (box), center and radius (disc), and
+/// for doors from and to. Metres and radians. Throws FileError
+/// "path:line: [[obstacle]] 'crate': key 'size': [width, height] expected, got 3 numbers".
 World read_world(const std::string& path);
 World world_from_toml(const std::string& text, const std::string& path_for_messages = "world");
 

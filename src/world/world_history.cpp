@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 // Undo, redo, transactions.
+#include <utility>
+
 #include "base/error.hpp"
 #include "world/world.hpp"
 
