@@ -42,6 +42,7 @@ std::string Record::signature() const {
 }
 
 Record& Docs::add(Record record) {
+  if (record.kind == DocKind::metamethod) return events_.emplace_back(std::move(record));
   records_.push_back(std::move(record));
   by_name_[dotted(records_.back().name())] = &records_.back();
   return records_.back();

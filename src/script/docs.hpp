@@ -11,25 +11,25 @@ namespace meander::script {
 
 /// One key of an option table, as its fields() listing tells it.
 struct OptionDoc {
-  std::string name;
-  std::string type;  ///< as in messages: "number", "{x, y}", "'a' | 'b'"
-  std::string unit;
-  std::string text;
-  std::string standard;  ///< the default, empty where there is none
+  std::string name{};
+  std::string type{};  ///< as in messages: "number", "{x, y}", "'a' | 'b'"
+  std::string unit{};
+  std::string text{};
+  std::string standard{};  ///< the default, empty where there is none
   bool required = false;
-  std::vector<std::string> values;  ///< of an enumeration or a preset name
-  std::vector<OptionDoc> options;   ///< of a nested table
+  std::vector<std::string> values{};  ///< of an enumeration or a preset name
+  std::vector<OptionDoc> options{};   ///< of a nested table
 };
 
 /// One argument of a function or method; self is not counted.
 struct ArgumentDoc {
-  std::string name;
-  std::string type;
-  std::string unit;
-  std::string text;
+  std::string name{};
+  std::string type{};
+  std::string unit{};
+  std::string text{};
   bool optional = false;
-  std::vector<std::string> values;
-  std::vector<OptionDoc> options;
+  std::vector<std::string> values{};
+  std::vector<OptionDoc> options{};
 };
 
 enum class DocKind { module, type, function, method, property, metamethod };
@@ -38,14 +38,14 @@ enum class DocKind { module, type, function, method, property, metamethod };
 /// the reference page all read it.
 struct Record {
   DocKind kind = DocKind::function;
-  std::string owner;   ///< "meander.sim", "sim", or "" for globals
-  std::string member;  ///< "new", "drive"
-  std::string text;    ///< one or two sentences
-  std::vector<ArgumentDoc> arguments;
-  std::string returns_type;  ///< as in messages; empty when nothing is returned
-  std::string returns;
-  std::string errors;   ///< what makes the call fail, empty when nothing does
-  std::string example;  ///< runs as it stands after `meander` is loaded
+  std::string owner{};   ///< "meander.sim", "sim", or "" for globals
+  std::string member{};  ///< "new", "drive"
+  std::string text{};    ///< one or two sentences
+  std::vector<ArgumentDoc> arguments{};
+  std::string returns_type{};  ///< as in messages; empty when nothing is returned
+  std::string returns{};
+  std::string errors{};   ///< what makes the call fail, empty when nothing does
+  std::string example{};  ///< runs as it stands after `meander` is loaded
   bool settable = false;
 
   /// "meander.sim.new", "sim:drive", "run.length", "world", "show".
@@ -57,6 +57,7 @@ struct Record {
 /// All records of one interpreter, in the order of registration. References stay valid.
 class Docs {
  public:
+  /// Records of metamethods only give messages their name: they are kept, but not listed.
   Record& add(Record record);
   const std::deque<Record>& all() const { return records_; }
   /// By full name ("sim:drive" or "sim.drive" alike), or nullptr.
@@ -68,6 +69,7 @@ class Docs {
 
  private:
   std::deque<Record> records_;
+  std::deque<Record> events_;
   std::map<std::string, const Record*, std::less<>> by_name_;
 };
 

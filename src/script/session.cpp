@@ -21,18 +21,13 @@ void attach(lua_State* L, Session& session) {
   static_assert(LUA_EXTRASPACE >= sizeof address);
   std::memcpy(lua_getextraspace(L), &address, sizeof address);
   session.life->main = session.life->running = L;
+  static const char kSentinel = 0;
   lua_newuserdatauv(L, 0, 0);
   lua_createtable(L, 0, 1);
   lua_pushcfunction(L, on_close);
   lua_setfield(L, -2, "__gc");
   lua_setmetatable(L, -2);
-  lua_rawsetp(L, LUA_REGISTRYINDEX, &on_close);
-}
-
-Session& session(lua_State* L) {
-  Session* address = nullptr;
-  std::memcpy(&address, lua_getextraspace(L), sizeof address);
-  return *address;
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &kSentinel);
 }
 
 Work work_of(lua_State* L) {

@@ -4,9 +4,11 @@
 #include <lua.h>
 
 #include <cstddef>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 #include "base/work.hpp"
 #include "script/docs.hpp"
@@ -35,7 +37,23 @@ struct Session {
 /// Ties the session to a fresh state: first call after luaL_newstate, before any coroutine is made.
 void attach(lua_State* L, Session& session);
 /// The session of a state or of one of its coroutines.
-Session& session(lua_State* L);
+inline Session& session(lua_State* L) {
+  Session* address = nullptr;
+  std::memcpy(&address, lua_getextraspace(L), sizeof address);
+  return *address;
+}
+/// Marks L as the running coroutine while it lives: callbacks into Lua run there.
+class RunningScope {
+ public:
+  explicit RunningScope(lua_State* L) : life_(*session(L).life), before_(std::exchange(life_.running, L)) {}
+  ~RunningScope() { life_.running = before_; }
+  RunningScope(const RunningScope&) = delete;
+  RunningScope& operator=(const RunningScope&) = delete;
+
+ private:
+  StateLife& life_;
+  lua_State* before_;
+};
 /// Stop token and progress for a long computation called from this state.
 Work work_of(lua_State* L);
 /// Writes to the session's output.
