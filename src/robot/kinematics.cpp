@@ -40,6 +40,7 @@ Command limited(const Command& command, const Body& body) {
 }
 
 Pose2 between(const Pose2& from, const Pose2& to, double share) {
+  if (share >= 1) return to;
   return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y),
           wrap_angle(from.heading + share * angle_between(from.heading, to.heading))};
 }
