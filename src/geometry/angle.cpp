@@ -38,7 +38,8 @@ double cos_series(double x) {
   return (1.0 - 0.5 * q) + q * q * c;
 }
 
-/// atan(t) for 0 <= t <= 1: a first guess within 0.005 rad, then the exact remainder from the tangent's difference formula.
+/// atan(t) for 0 <= t <= 1: a first guess within 0.005 rad, then the exact remainder from the tangent's difference
+/// formula.
 double atan_unit(double t) {
   const double guess = std::min(kPi / 4, t * (kPi / 4 + 0.273 * (1 - t)));
   const SinCos g{sin_series(guess), cos_series(guess)};
@@ -55,10 +56,14 @@ SinCos sin_cos(double angle) {
   const double s = sin_series(r);
   const double c = cos_series(r);
   switch (static_cast<long long>(quadrant) & 3) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
   }
 }
 

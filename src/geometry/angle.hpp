@@ -16,8 +16,8 @@ struct SinCos {
   double cos;
 };
 
-/// Sine and cosine to within 1e-15 for |angle| <= 1e5, with the same bits on every machine and under every C library: states
-/// that are hashed use these, because the library's differ between versions and processors.
+/// Sine and cosine to within 1e-15 for |angle| <= 1e5, with the same bits on every machine and under every C library:
+/// states that are hashed use these, because the library's differ between versions and processors.
 SinCos sin_cos(double angle);
 
 /// Angle of (x, y) in (-pi, pi] to within 1e-15; 0 for (0, 0). Same bits everywhere.

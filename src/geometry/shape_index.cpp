@@ -2,24 +2,23 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "geometry/shape_index.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-
-#include "base/error.hpp"
-#include "geometry/segment.hpp"
-#include "geometry/shape_pieces.hpp"
+#include "geometry/marks.hpp"
+#include "geometry/nearest_hit.hpp"
+#include "geometry/shape_index_state.hpp"
 
 namespace meander {
+namespace {
 
-struct ShapeIndex::State {
-  std::map<std::uint32_t, ShapePieces> owners;
-  std::vector<Material> materials;
-  std::vector<Box> edits;
-  std::size_t walls = 0;
-};
+bool within(const Vec2& point, double radius, const Wall& wall) {
+  const Vec2 d = wall.b - wall.a, e = point - wall.a;
+  const double squared = radius * radius, along = e.dot(d), off = cross(d, e);
+  if (e.squaredNorm() <= squared || (point - wall.b).squaredNorm() <= squared) return true;
+  return along > 0 && along < d.squaredNorm() && off * off <= squared * d.squaredNorm();
+}
 
-ShapeIndex::ShapeIndex(double) : state_(std::make_unique<State>()) {}
+}  // namespace
+
+ShapeIndex::ShapeIndex(double cell) : state_(std::make_unique<State>(cell)) {}
 ShapeIndex::ShapeIndex(const ShapeIndex& other) : state_(std::make_unique<State>(*other.state_)) {}
 ShapeIndex& ShapeIndex::operator=(const ShapeIndex& other) { return *this = ShapeIndex(other); }
 ShapeIndex::ShapeIndex(ShapeIndex&&) noexcept = default;
@@ -27,86 +26,63 @@ ShapeIndex& ShapeIndex::operator=(ShapeIndex&&) noexcept = default;
 ShapeIndex::~ShapeIndex() = default;
 
 void ShapeIndex::insert(std::uint32_t owner, const Shape& shape, const Material& material) {
-  state_->materials.push_back(material);
-  const auto [it, fresh] = state_->owners.emplace(owner, pieces_of(shape));
-  if (!fresh) fail("shape index: owner {} already has a shape", owner);
-  for (Wall& w : it->second.walls)
-    w.owner = owner, w.material = static_cast<std::uint16_t>(state_->materials.size() - 1);
-  if (it->second.pole)
-    it->second.pole->owner = owner,
-    it->second.pole->material = static_cast<std::uint16_t>(state_->materials.size() - 1);
-  state_->walls += it->second.walls.size();
-  state_->edits.push_back(bounding_box(shape));
+  state_->insert(owner, shape, material);
 }
 
-void ShapeIndex::remove(std::uint32_t owner) {
-  const auto it = state_->owners.find(owner);
-  if (it == state_->owners.end()) fail("shape index: owner {} has no shape", owner);
-  Box box = it->second.box;
-  state_->walls -= it->second.walls.size();
-  state_->owners.erase(it);
-  state_->edits.push_back(box);
-}
+void ShapeIndex::remove(std::uint32_t owner) { state_->remove(owner); }
 
-bool ShapeIndex::has(std::uint32_t owner) const { return state_->owners.contains(owner); }
+bool ShapeIndex::has(std::uint32_t owner) const {
+  return owner < state_->owners.size() && state_->owners[owner].present;
+}
 
 void ShapeIndex::clear() {
-  while (!state_->owners.empty()) remove(state_->owners.begin()->first);
+  for (std::uint32_t owner = 0; owner < state_->owners.size(); ++owner)
+    if (has(owner)) remove(owner);
 }
 
-std::size_t ShapeIndex::wall_count() const { return state_->walls; }
+std::size_t ShapeIndex::wall_count() const { return state_->wall_count; }
+
 const Material& ShapeIndex::material(std::uint16_t index) const { return state_->materials.at(index); }
 
 std::optional<RayHit> ShapeIndex::cast(const Vec2& origin, const Vec2& direction, double max_range) const {
   NearestHit nearest(origin, direction, max_range);
-  for (const auto& [owner, pieces] : state_->owners) {
-    for (const Wall& w : pieces.walls) nearest.meet(w);
-    if (pieces.pole) nearest.meet(*pieces.pole);
-  }
+  state_->grid.cast(nearest, origin, direction);
   return nearest.hit();
 }
 
-double ShapeIndex::distance(const Vec2& point, double most) const {
-  double best = most;
-  for (const auto& [owner, pieces] : state_->owners) {
-    for (const Wall& w : pieces.walls) best = std::min(best, distance_to_segment(point, w.a, w.b));
-    if (pieces.pole)
-      best = std::min(best, std::abs((pieces.pole->disc.center - point).norm() - pieces.pole->disc.radius));
-  }
-  return best;
-}
+double ShapeIndex::distance(const Vec2& point, double most) const { return state_->grid.distance(point, most); }
 
-bool ShapeIndex::inside(const Vec2& point) const {
-  for (const auto& [owner, pieces] : state_->owners) {
-    int winding = 0;
-    for (const Wall& w : pieces.walls) {
-      if (!w.solid) continue;
-      if (distance_to_segment(point, w.a, w.b) <= kTouch) return true;
-      winding += winding_step(point, w.a, w.b);
-    }
-    if (winding != 0) return true;
-    if (pieces.pole && contains(pieces.pole->disc, point)) return true;
-  }
-  return false;
-}
+bool ShapeIndex::inside(const Vec2& point) const { return state_->grid.inside(point); }
 
 void ShapeIndex::gather(const Vec2& center, double radius, std::vector<Wall>& walls, std::vector<Pole>& poles) const {
+  // Scratch of the thread, so that several may ask one index. Marks put the pieces in order and each in once.
+  thread_local Marks wall_marks, owner_marks;
+  wall_marks.reset(state_->walls.size());
+  owner_marks.reset(state_->owners.size());
+  state_->grid.around(
+      center, radius, [&](std::uint32_t id, std::uint32_t owner) { wall_marks.set(id), owner_marks.set(owner); },
+      [&](std::uint32_t owner) { owner_marks.set(owner); });
   walls.clear();
   poles.clear();
-  for (const auto& [owner, pieces] : state_->owners) {
-    for (const Wall& w : pieces.walls)
-      if (distance_to_segment(center, w.a, w.b) <= radius) walls.push_back(w);
-    if (pieces.pole && (pieces.pole->disc.center - center).norm() <= radius + pieces.pole->disc.radius)
-      poles.push_back(*pieces.pole);
-  }
+  owner_marks.for_each(0, static_cast<std::uint32_t>(state_->owners.size()), [&](std::uint32_t slot) {
+    const State::Owner& owner = state_->owners[slot];
+    const Run run = owner.walls;
+    wall_marks.for_each(run.first, run.first + run.count, [&](std::uint32_t id) {
+      if (within(center, radius, state_->walls[id])) walls.push_back(state_->walls[id]);
+    });
+    if (owner.round && (owner.disc.center - center).norm() <= radius + owner.disc.radius)
+      poles.push_back({owner.disc, slot, owner.material});
+  });
 }
 
-std::uint64_t ShapeIndex::revision() const { return state_->edits.size(); }
+std::uint64_t ShapeIndex::revision() const { return state_->revision; }
 
 bool ShapeIndex::touched_since(std::uint64_t revision, const Vec2& center, double radius) const {
-  for (std::size_t i = revision; i < state_->edits.size(); ++i) {
-    const Vec2 nearest = center.cwiseMax(state_->edits[i].low).cwiseMin(state_->edits[i].high);
-    if ((nearest - center).norm() <= radius) return true;
+  if (revision + State::kEditsKept < state_->revision) return true;
+  for (std::uint64_t i = revision; i < state_->revision; ++i) {
+    const Box& box = state_->edits[i % State::kEditsKept];
+    const Vec2 nearest = center.cwiseMax(box.low).cwiseMin(box.high);
+    if ((nearest - center).squaredNorm() <= radius * radius) return true;
   }
   return false;
 }

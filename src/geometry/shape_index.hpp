@@ -18,13 +18,14 @@ struct Material {
   double specular_limit = std::numeric_limits<double>::quiet_NaN();  ///< largest |incidence| that echoes [rad]
 };
 
-/// One straight piece of wall in the index. Solids lie to the left of a -> b.
+/// One straight piece of wall in the index. Solids lie to the left of a -> b. A convex end answers as a point
+/// scatterer; each corner belongs to one wall, as its a.
 struct Wall {
   Vec2 a, b;
   std::uint32_t owner = 0;     ///< slot of the obstacle it belongs to
-  std::uint16_t material = 0;  ///< index into materials()
-  bool convex_a = false;       ///< the end a is a convex corner or a free end: it answers as a point scatterer
-  bool convex_b = false;       ///< only for free ends of chains (each shared corner belongs to one wall, as its a)
+  std::uint16_t material = 0;  ///< see ShapeIndex::material()
+  bool convex_a = false;       ///< convex corner of a solid; any bend or free end of a chain (seen from its outer side)
+  bool convex_b = false;       ///< the free end of an open chain
   bool solid = true;           ///< border of a solid (false: thin wall of a chain)
 };
 
@@ -37,8 +38,11 @@ struct Pole {
 struct RayHit {
   double range;  ///< [m] from the origin
   Vec2 point;
-  double incidence;  ///< angle between the ray and the surface normal, in [0, pi/2]
+  double cos_incidence;  ///< of the angle between the ray and the surface normal, in [0, 1]
   std::uint32_t owner;
+
+  /// Angle between the ray and the surface normal, in [0, pi/2].
+  double incidence() const { return angle_of(std::sqrt(1 - cos_incidence * cos_incidence), cos_incidence); }
 };
 
 /// Uniform grid over walls and poles, edited in place. Exact: every query returns what a loop over all pieces would.

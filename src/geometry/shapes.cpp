@@ -25,12 +25,6 @@ void orient(std::vector<Vec2>& ring, bool counter_clockwise) {
   if (!ring.empty() && (doubled_area(ring) > 0) != counter_clockwise) std::reverse(ring.begin() + 1, ring.end());
 }
 
-std::vector<Vec2> corners(const Rectangle& r) {
-  const SinCos turn = sin_cos(r.heading);
-  const Vec2 u = 0.5 * r.size.x() * Vec2(turn.cos, turn.sin), v = 0.5 * r.size.y() * Vec2(-turn.sin, turn.cos);
-  return {r.center - u - v, r.center + u - v, r.center + u + v, r.center - u + v};
-}
-
 /// Calls visit(a, b) for every edge of the ring.
 template <class Visit>
 void for_each_edge(const Ring& ring, Visit visit) {
@@ -63,6 +57,12 @@ Shape canonical(Shape shape) {
   return shape;
 }
 
+std::array<Vec2, 4> corners(const Rectangle& r) {
+  const SinCos turn = sin_cos(r.heading);
+  const Vec2 u = 0.5 * r.size.x() * Vec2(turn.cos, turn.sin), v = 0.5 * r.size.y() * Vec2(-turn.sin, turn.cos);
+  return {r.center - u - v, r.center + u - v, r.center + u + v, r.center - u + v};
+}
+
 std::vector<Ring> rings(const Shape& shape) {
   return std::visit(Overload{
                         [](const Chain& c) {
@@ -74,7 +74,8 @@ std::vector<Ring> rings(const Shape& shape) {
                           return all;
                         },
                         [](const Rectangle& r) {
-                          return std::vector<Ring>{{corners(r), true}};
+                          const std::array<Vec2, 4> c = corners(r);
+                          return std::vector<Ring>{{{c.begin(), c.end()}, true}};
                         },
                         [](const Disc&) { return std::vector<Ring>{}; },
                     },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -75,6 +76,9 @@ double distance(const Shape& shape, const Vec2& point);
 
 /// Distance from `point` to the segment a-b.
 double distance_to_segment(const Vec2& point, const Vec2& a, const Vec2& b);
+
+/// Counter-clockwise.
+std::array<Vec2, 4> corners(const Rectangle& rectangle);
 
 /// The rings of a shape's border: open or closed runs of points. Discs have none (they are exact, not faceted).
 struct Ring {

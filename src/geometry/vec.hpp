@@ -6,7 +6,8 @@
 
 namespace meander {
 
-/// A point or direction in the plane [m]. World frame unless a name says otherwise (x forward or east, y left or north).
+/// A point or direction in the plane [m]. World frame unless a name says otherwise (x forward or east, y left or
+/// north).
 using Vec2 = Eigen::Vector2d;
 
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
