@@ -3,11 +3,10 @@
 #include "grid/image_file.hpp"
 
 #include <filesystem>
-#include <fstream>
-#include <string_view>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/text_file.hpp"
 #include "grid/image_codec.hpp"
 #include "grid/image_header.hpp"
 #include "grid/pgm.hpp"
@@ -16,22 +15,7 @@ namespace meander {
 namespace {
 
 /// No image of kMaxPixels needs more, so a larger file is none of ours.
-constexpr std::uintmax_t kMaxFileSize = 8 * static_cast<std::uintmax_t>(kMaxPixels);
-
-std::vector<std::uint8_t> read_bytes(const std::string& path) {
-  std::error_code failed;
-  const auto status = std::filesystem::status(path, failed);
-  if (!std::filesystem::exists(status)) fail<FileError>("{}: no such file", path);
-  if (std::filesystem::is_directory(status)) fail<FileError>("{}: an image file expected, got a folder", path);
-  const std::uintmax_t size = std::filesystem::file_size(path, failed);
-  if (failed) fail<FileError>("{}: an image file expected: {}", path, failed.message());
-  if (size > kMaxFileSize) fail<FileError>("{}: {} bytes, at most {} are read", path, size, kMaxFileSize);
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-  std::ifstream in(path, std::ios::binary);
-  in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (!in) fail<FileError>("{}: cannot be read", path);
-  return bytes;
-}
+constexpr std::size_t kMaxFileSize = 8 * static_cast<std::size_t>(kMaxPixels);
 
 void check(const ImageHeader& header, const std::string& name) {
   if (header.width <= 0 || header.height <= 0) fail<FileError>("{}: {} without a size", name, header.kind);
@@ -69,7 +53,10 @@ Image image_from_bytes(std::span<const std::uint8_t> bytes, const std::string& n
   return image;
 }
 
-Image read_image(const std::string& path) { return image_from_bytes(read_bytes(path), path); }
+Image read_image(const std::string& path) {
+  const std::string text = read_text_file(path, kMaxFileSize);
+  return image_from_bytes({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, path);
+}
 
 void write_image(const std::string& path, const Image& image) {
   check(image, path);
