@@ -43,13 +43,14 @@ struct SonarOptions {
   double receive_lobe = 0.6108652381980153;
 };
 template <class Options, class Visitor>
-  requires std::same_as<std::remove_const_t<Options>, SonarOptions>
+requires std::same_as<std::remove_const_t<Options>, SonarOptions>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"half_cone", "rad", "half opening angle of the cone", 0.001, 1.5}, o.half_cone);
   visit(Field{"range_min", "m", "least range; a transducer in contact reads this", 0, 100}, o.range_min);
   visit(Field{"range_max", "m", "range read when nothing echoes", 0.01, 1000}, o.range_max);
   visit(Field{"incidence", "", "walls echo only near the normal"}, o.incidence);
-  visit(Field{"incidence_limit", "rad", "largest angle to the normal that echoes", 0, 1.5707963267948966}, o.incidence_limit);
+  visit(Field{"incidence_limit", "rad", "largest angle to the normal that echoes", 0, 1.5707963267948966},
+        o.incidence_limit);
   visit(Field{"incidence_jitter", "rad", "standard deviation of that limit per reading", 0, 1.5}, o.incidence_jitter);
   visit(Field{"jitter_hold", "", "readings for which one jitter value holds, on average", 1, 1e6}, o.jitter_hold);
   visit(Field{"near_field", "m", "nearer than this everything echoes; 0: off", 0, 100}, o.near_field);
@@ -87,8 +88,8 @@ class SonarRing {
   std::span<const double> firing_times() const;
 
   /// One scan: `poses_world[i]` is the robot's true pose when transducer i fires; `ranges` receives one range [m] each.
-  /// `self` is the owner number of the scanning robot's own disc in scene.moving (ignored), or kNobody. Allocates nothing
-  /// in the steady state.
+  /// `self` is the owner number of the scanning robot's own disc in scene.moving (ignored), or kNobody. Allocates
+  /// nothing in the steady state.
   void scan(const Scene& scene, std::span<const Pose2> poses_world, std::uint32_t self, std::span<double> ranges);
 
   static constexpr std::uint32_t kNobody = ~0u;

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "sensor/sonar_contact.hpp"
+
+namespace meander::sonar {
+namespace {
+
+bool apart(double side_a, double side_b) { return (side_a > 0 && side_b > 0) || (side_a < 0 && side_b < 0); }
+
+/// Does the wall come within touching distance of the leg p-q?
+bool meets(const Wall& wall, const Vec2& p, const Vec2& q) {
+  const Vec2 leg = q - p, along = wall.b - wall.a;
+  const bool crossed = !apart(cross(leg, wall.a - p), cross(leg, wall.b - p)) &&
+                       !apart(cross(along, p - wall.a), cross(along, q - wall.a)) && cross(leg, along) != 0;
+  return crossed || distance_to_segment(p, wall.a, wall.b) <= kTouch ||
+         distance_to_segment(q, wall.a, wall.b) <= kTouch || distance_to_segment(wall.a, p, q) <= kTouch ||
+         distance_to_segment(wall.b, p, q) <= kTouch;
+}
+
+bool meets(const Pole& pole, const Vec2& p, const Vec2& q) {
+  const Vec2 leg = q - p, e = pole.disc.center - p;
+  const double length_squared = leg.squaredNorm();
+  const double t = length_squared > 0 ? std::clamp(e.dot(leg) / length_squared, 0.0, 1.0) : 0;
+  return (e - t * leg).norm() <= pole.disc.radius + kTouch;
+}
+
+}  // namespace
+
+void Contact::look_around(const ShapeIndex& index, const Candidates& list, const Vec2& center) {
+  place_ = center;
+  inside_ = index.inside(center);
+  double nearest = list.radius();
+  for (Outward walk(list, (center - list.center()).norm()); !walk.done() && walk.reach() < nearest; walk.advance()) {
+    const std::size_t first = 8 * walk.block();
+    if (walk.at_walls())
+      for (std::size_t i = first; i < std::min(first + 8, list.walls().size()); ++i)
+        nearest = std::min(nearest, distance_to_segment(center, list.walls()[i].a, list.walls()[i].b));
+    else
+      for (std::size_t i = first; i < std::min(first + 8, list.poles().size()); ++i)
+        nearest = std::min(nearest, (list.poles()[i].disc.center - center).norm() - list.poles()[i].disc.radius);
+  }
+  free_radius_ = nearest;
+}
+
+bool Contact::operator()(const ShapeIndex& index, const Candidates& list, const Vec2& center, const Vec2& transducer) {
+  for (const Pole& pole : list.moving())
+    if (meets(pole, center, transducer)) return true;
+  const double leg = (transducer - center).norm();
+  if ((center - place_).norm() + leg + kTouch < free_radius_) return inside_;
+
+  look_around(index, list, center);
+  if (inside_) return true;
+  if (leg + kTouch < free_radius_) return false;
+  for (Outward walk(list, (center - list.center()).norm()); !walk.done() && walk.reach() <= leg + kTouch;
+       walk.advance()) {
+    const std::size_t first = 8 * walk.block();
+    if (walk.at_walls()) {
+      for (std::size_t i = first; i < std::min(first + 8, list.walls().size()); ++i)
+        if (meets(list.walls()[i], center, transducer)) return true;
+    } else {
+      for (std::size_t i = first; i < std::min(first + 8, list.poles().size()); ++i)
+        if (meets(list.poles()[i], center, transducer)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace meander::sonar
