@@ -35,13 +35,18 @@ struct Change {
 
 template <class Change>
 void change_all(World& world, const std::vector<Id>& ids, const Change& change) {
-  world.transaction([&] {
+  const auto replace_all = [&] {
     for (const Id id : ids) {
       Item item = world.item(id);
       std::visit(change, item);
       world.replace(id, std::move(item));
     }
-  });
+  };
+  // A single thing is checked before anything changes, so that a refusal leaves no trace in the log.
+  if (ids.size() == 1)
+    replace_all();
+  else
+    world.transaction(replace_all);
 }
 
 Box box_of(const Item& item) {

@@ -26,6 +26,10 @@ std::string describe(const toml::node& node) {
 TomlTable::TomlTable(const toml::table& table, std::string path, std::string title)
     : table_(table), path_(std::move(path)), title_(std::move(title)) {}
 
+void TomlTable::refuse_plainly(const std::string& message) const {
+  fail<FileError>("{}:{}: {}", path_, table_.source().begin.line, message);
+}
+
 void TomlTable::refuse(const std::string& message, const char* key) const {
   const toml::node* at = key ? table_.get(key) : nullptr;
   fail<FileError>("{}:{}: {}: {}", path_, (at ? at->source() : table_.source()).begin.line, title_, message);
@@ -40,8 +44,9 @@ void TomlTable::check_keys(const std::vector<std::string>& known) const {
   for (const auto& [key, value] : table_) {
     const std::string name(key.str());
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    fail<FileError>("{}:{}: {}: unknown key '{}'{} (known: {})", path_, key.source().begin.line, title_,
-                    printable(name), did_you_mean(name, known), listing(known, known.size()));
+    fail<FileError>("{}:{}: {}{}unknown key '{}'{} (known: {})", path_, key.source().begin.line, title_,
+                    title_.empty() ? "" : ": ", printable(name), did_you_mean(name, known),
+                    listing(known, known.size()));
   }
 }
 

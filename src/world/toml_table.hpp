@@ -37,6 +37,8 @@ class TomlTable {
 
   /// Throws "path:line: title: message" at the line of the key, or of the table.
   [[noreturn]] void refuse(const std::string& message, const char* key = nullptr) const;
+  /// The same without the title, for a message that names the thing itself.
+  [[noreturn]] void refuse_plainly(const std::string& message) const;
 
  private:
   const toml::node& node(const char* key) const;

@@ -89,9 +89,7 @@ class World {
     Step step;
     Open() = default;
     Open(const Open& other);
-    Open& operator=(const Open& other);
-    Open(Open&&) = default;
-    Open& operator=(Open&&) = default;
+    Open& operator=(const Open& other);  // also where a world is moved: both refuse while a transaction is going on
   };
   class Rollback;
 

@@ -9,6 +9,7 @@
 #include "base/text_file.hpp"
 #include "world/text.hpp"
 #include "world/toml_table.hpp"
+#include "world/validity.hpp"
 #include "world/world_file.hpp"
 
 namespace meander {
@@ -173,7 +174,12 @@ class WorldReader {
     if (!header) fail<FileError>("{}: the table [world] with format = {} is missing", path_, kWorldFormat);
     const TomlTable table(*header, path_, "[world]");
     World world;
-    guarded(table, [&] { world = World(read_header(table)); });
+    Header beginning = read_header(table);
+    try {
+      world = World(std::move(beginning));
+    } catch (const ArgumentError& error) {
+      table.refuse(error.what());
+    }
     for (const Entry& entry : entries_) add(world, entry);
     world.forget_history();
     return world;
@@ -183,7 +189,7 @@ class WorldReader {
   void check_top_level() const {
     Keys known{"world"};
     for (const Kind& kind : kinds()) known.emplace_back(kind.name);
-    TomlTable(root_, path_, "top level").check_keys(known);
+    TomlTable(root_, path_, "").check_keys(known);
   }
 
   void collect() {
@@ -218,16 +224,14 @@ class WorldReader {
     const TomlTable table(*entry.table, path_, fmt::format("[[{}]] '{}'", entry.kind->name, printable(name)));
     table.check_keys(entry.kind->keys);
     if (name.empty()) table.refuse("key 'name': 1 to 64 characters expected, got none", "name");
-    guarded(table, [&] { world.add(entry.kind->read(table, name)); });
-  }
-
-  /// What the world refuses, at the line of the table, which names the thing already.
-  template <class Change>
-  static void guarded(const TomlTable& table, Change change) {
+    Item item = entry.kind->read(table, name);
+    const std::string thing = label(item);
     try {
-      change();
+      world.add(std::move(item));
     } catch (const ArgumentError& error) {
-      table.refuse(error.what());
+      const std::string reason = error.what();
+      if (reason.starts_with(thing)) table.refuse_plainly(reason);
+      table.refuse(reason);
     }
   }
 
