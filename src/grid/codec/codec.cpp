@@ -4,6 +4,7 @@
 #include "grid/codec/codec.hpp"
 
 #include <exception>
+#include <iostream>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -11,6 +12,19 @@
 
 namespace meander {
 namespace {
+
+/// What is wrong with an image is told by the error that the caller gets: OpenCV's own account of it would go to the
+/// terminal.
+class Quiet {
+ public:
+  Quiet() : before_(std::cerr.rdbuf(nullptr)) {}
+  ~Quiet() { std::cerr.rdbuf(before_); }
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
+
+ private:
+  std::streambuf* before_;
+};
 
 /// 8 bits a channel, RGB order.
 cv::Mat normalised(cv::Mat image) {
@@ -21,6 +35,7 @@ cv::Mat normalised(cv::Mat image) {
 }
 
 std::string decode(std::span<const std::uint8_t> bytes, Image& image) try {
+  const Quiet quiet;
   const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<std::uint8_t*>(bytes.data()));
   cv::Mat decoded = cv::imdecode(raw, cv::IMREAD_UNCHANGED);
   if (decoded.empty()) return "damaged or of an unknown kind";
@@ -38,10 +53,11 @@ std::string decode(std::span<const std::uint8_t> bytes, Image& image) try {
 }
 
 std::string encode_png(const Image& image, std::vector<std::uint8_t>& bytes) try {
-  cv::Mat raw(image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data()));
-  if (image.channels == 3) cv::cvtColor(raw, raw, cv::COLOR_RGB2BGR);
-  if (image.channels == 4) cv::cvtColor(raw, raw, cv::COLOR_RGBA2BGRA);
-  return cv::imencode(".png", raw, bytes) ? "" : "the encoder refused";
+  const cv::Mat rgb(image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data()));
+  cv::Mat bgr = rgb;
+  if (image.channels == 3) cv::cvtColor(rgb, bgr = cv::Mat(), cv::COLOR_RGB2BGR);
+  if (image.channels == 4) cv::cvtColor(rgb, bgr = cv::Mat(), cv::COLOR_RGBA2BGRA);
+  return cv::imencode(".png", bgr, bytes) ? "" : "the encoder refused";
 } catch (const std::exception& error) {
   return error.what();
 }
@@ -51,7 +67,6 @@ std::string encode_png(const Image& image, std::vector<std::uint8_t>& bytes) try
 
 extern "C" const meander::Codec* meander_codec() {
   static const meander::Codec codec{meander::decode, meander::encode_png};
-  // What is wrong with an image is told by the error, not on the terminal.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   return &codec;
 }
