@@ -4,9 +4,11 @@
 
 #include "base/error.hpp"
 #include "sensor/sonar.hpp"
+#include "sensor/sonar_bounce.hpp"
 #include "sensor/sonar_candidates.hpp"
 #include "sensor/sonar_cone.hpp"
 #include "sensor/sonar_contact.hpp"
+#include "sensor/sonar_crosstalk.hpp"
 #include "sensor/sonar_effects.hpp"
 
 namespace meander {
@@ -20,6 +22,7 @@ struct SonarRing::State {
   void take_places(const Scene& scene, std::span<const Pose2> poses);
   void set_reflectors(double limit_shift);
   double listen(int transducer);
+  void listen_together();
 
   RingLayout layout;
   SonarOptions options;
@@ -42,6 +45,8 @@ struct SonarRing::State {
   std::vector<Reflector> reflectors;   ///< per material of the list, for the incidence limit shifted by ...
   double reflectors_shift = 0;
   Cone cone;
+  Bounce bounce;
+  std::vector<Ear> ears;  ///< of one group
 };
 
 namespace {
@@ -133,7 +138,23 @@ double SonarRing::State::listen(int i) {
   set_reflectors(effects.limit_shift(i));
   if (touching[i]) return options.range_min;
   const double shift = (views[i].origin - list.center()).norm();
-  return cone.first_echo(list, views[i], wedge, hearing, reflectors, shift, options.range_max);
+  const double direct = cone.first_echo(list, views[i], wedge, hearing, reflectors, shift, options.range_max);
+  return options.bounce ? bounce.first_echo(list, cone, shift, direct) : direct;
+}
+
+/// Crosstalk within every group of the firing sequence.
+void SonarRing::State::listen_together() {
+  const SinCos lobe = sin_cos(options.receive_lobe);
+  const Lobes lobes{.sent = wedge, .receive = lobe.sin / lobe.cos, .range = options.range_max};
+  for (int group = 0; group < groups; ++group) {
+    ears.clear();
+    for (int i = group; i < layout.count; i += groups)
+      if (!touching[i]) ears.push_back({views[i], echoes[i]});
+    hear_each_other(list, reflectors, lobes, ears);
+    std::size_t ear = 0;
+    for (int i = group; i < layout.count; i += groups)
+      if (!touching[i]) echoes[i] = ears[ear++].range;
+  }
 }
 
 SonarRing::SonarRing(const RingLayout& layout, const SonarOptions& options, std::uint64_t seed) {
@@ -164,6 +185,7 @@ void SonarRing::scan(const Scene& scene, std::span<const Pose2> poses_world, std
   s.follow(scene, poses_world, self);
   s.take_places(scene, poses_world);
   for (std::size_t i = 0; i < count; ++i) s.echoes[i] = s.listen(static_cast<int>(i));
+  if (s.options.crosstalk) s.listen_together();
   for (std::size_t i = 0; i < count; ++i)
     ranges[i] = s.touching[i] ? s.effects.undisturbed(static_cast<int>(i), s.echoes[i])
                               : s.effects.reading(static_cast<int>(i), s.echoes[i]);

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include "sensor/sonar_candidates.hpp"
+
+namespace meander::sonar {
+
+/// One of the transducers that fire together.
+struct Ear {
+  View view;
+  double range;  ///< what it reads [m]
+};
+
+/// How transducers send and hear.
+struct Lobes {
+  Wedge sent;      ///< the cone of the sound
+  double receive;  ///< tangent of the half angle in which a foreign sound is heard
+  double range;    ///< half the longest way that is heard over a wall of strength 1 [m]
+};
+
+/// Transducers that fire together hear each other: the sound of one reaches another over a wall that mirrors it into
+/// the other's receive lobe, and is taken for an echo at half the way. One reflection, walls only. Shortens the ranges
+/// of those that hear another before their own echo.
+void hear_each_other(const Candidates& list, std::span<const Reflector> reflectors, const Lobes& lobes,
+                     std::span<Ear> ears);
+
+}  // namespace meander::sonar
