@@ -82,8 +82,13 @@ class ShapeIndex {
   std::uint64_t revision() const;
   bool touched_since(std::uint64_t revision, const Vec2& center, double radius) const;
 
+  /// A token of this very index; a copy has its own. Revisions compare only under the same token, and one that is held
+  /// is never given to another index.
+  const std::shared_ptr<const char>& identity() const { return identity_; }
+
  private:
   struct State;
+  std::shared_ptr<const char> identity_ = std::make_shared<const char>();
   std::unique_ptr<State> state_;
 };
 
