@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/shapes.hpp"
 
@@ -11,16 +12,23 @@ namespace meander {
 /// Square cells over part of the plane. Sides are powers of two and corners multiples of them, so that the coordinates
 /// of cell borders are exact.
 struct CellFrame {
-  double side = 1;
-  Vec2 low{0, 0};
-  int columns = 3;
-  int rows = 3;
+  CellFrame(double side, const Vec2& low, int columns, int rows)
+      : side(side), per_metre(1 / side), low(low), columns(columns), rows(rows) {}
 
-  /// May lie outside; call only with positions within a few times kFarthest.
-  int column(double x) const { return static_cast<int>(std::floor((x - low.x()) / side)); }
-  int row(double y) const { return static_cast<int>(std::floor((y - low.y()) / side)); }
-  int nearest_column(double x) const { return static_cast<int>(std::clamp((x - low.x()) / side, 0.0, columns - 1.0)); }
-  int nearest_row(double y) const { return static_cast<int>(std::clamp((y - low.y()) / side, 0.0, rows - 1.0)); }
+  double side;
+  double per_metre;  ///< cells
+  Vec2 low;
+  int columns;
+  int rows;
+
+  /// Of a position in the frame. (Truncation: rounding down takes a call on basic processors.)
+  int column(double x) const { return static_cast<int>((x - low.x()) * per_metre); }
+  int row(double y) const { return static_cast<int>((y - low.y()) * per_metre); }
+  /// Of any position.
+  int nearest_column(double x) const {
+    return static_cast<int>(std::clamp((x - low.x()) * per_metre, 0.0, columns - 1.0));
+  }
+  int nearest_row(double y) const { return static_cast<int>(std::clamp((y - low.y()) * per_metre, 0.0, rows - 1.0)); }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
   }
@@ -40,22 +48,33 @@ struct CellFrame {
   }
 };
 
-/// Calls visit(cell index) for every cell that the wall a-b touches; the frame covers the wall.
+/// Calls visit(column, row, t0, t1) for every cell that the wall a-b touches, where a + t * (b - a), t0 <= t <= t1, is
+/// the part of it in the cell. The frame holds the wall.
 template <class Visit>
 void for_each_cell(const CellFrame& frame, const Vec2& a, const Vec2& b, Visit visit) {
+  struct Part {
+    double t0, t1;
+  };
   const double slack = frame.slack();
   const Vec2 d = b - a;
+  const double per_x = d.x() != 0 ? 1 / d.x() : 0, per_y = d.y() != 0 ? 1 / d.y() : 0;
+  const auto between = [slack](double low, double high, double start, double per_metre, Part part) {
+    if (per_metre == 0) return part;  // parallel to the border, so it does not leave
+    double enter = (low - slack - start) * per_metre, leave = (high + slack - start) * per_metre;
+    if (per_metre < 0) std::swap(enter, leave);
+    return Part{std::clamp(enter, part.t0, part.t1), std::clamp(leave, part.t0, part.t1)};
+  };
   const int top = frame.row(std::max(a.y(), b.y()) + slack);
   for (int row = frame.row(std::min(a.y(), b.y()) - slack); row <= top; ++row) {
-    double t0 = 0, t1 = 1;  // the part of the wall within the row
-    if (d.y() != 0) {
-      const double y = frame.low.y() + row * frame.side;
-      t0 = std::clamp((y - slack - a.y()) / d.y(), 0.0, 1.0);
-      t1 = std::clamp((y + frame.side + slack - a.y()) / d.y(), 0.0, 1.0);
-    }
-    const double x0 = a.x() + t0 * d.x(), x1 = a.x() + t1 * d.x();
+    const double y = frame.low.y() + row * frame.side;
+    const Part in_row = between(y, y + frame.side, a.y(), per_y, {0, 1});
+    const double x0 = a.x() + in_row.t0 * d.x(), x1 = a.x() + in_row.t1 * d.x();
     const int last = frame.column(std::max(x0, x1) + slack);
-    for (int column = frame.column(std::min(x0, x1) - slack); column <= last; ++column) visit(frame.index(column, row));
+    for (int column = frame.column(std::min(x0, x1) - slack); column <= last; ++column) {
+      const double x = frame.low.x() + column * frame.side;
+      const Part in_cell = between(x, x + frame.side, a.x(), per_x, in_row);
+      visit(column, row, in_cell.t0, in_cell.t1);
+    }
   }
 }
 

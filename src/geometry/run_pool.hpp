@@ -26,6 +26,7 @@ class RunPool {
   const T* end(const Run& run) const { return begin(run) + run.count; }
   T& operator[](std::uint32_t index) { return items_[index]; }
   const T& operator[](std::uint32_t index) const { return items_[index]; }
+  const T* data() const { return items_.data(); }
   std::size_t size() const { return items_.size(); }
 
   /// Changes the length; items up to the smaller length are kept, new ones are left over from other lists.

@@ -7,6 +7,7 @@
 
 #include "geometry/cell_frame.hpp"
 #include "geometry/nearest_hit.hpp"
+#include "geometry/number_set.hpp"
 #include "geometry/run_pool.hpp"
 #include "geometry/shape_index.hpp"
 
@@ -26,58 +27,61 @@ class ShapeGrid {
   /// Adds `sign` to the depth of every cell whose centre is inside the ring of walls.
   void cover(std::span<const Wall> walls, const Box& box, int sign);
 
-  void cast(NearestHit& nearest, const Vec2& origin, const Vec2& direction) const;
-  double distance(const Vec2& point, double most) const;
-  bool inside(const Vec2& point) const;
-  /// Calls wall(id, owner) and pole(owner) for all that the cells around the disc hold, for some of them repeatedly.
+  void cast(NearestHit& nearest, const Wall* walls, const Vec2& origin, const Vec2& direction) const;
+  double distance(const Wall* walls, const Vec2& point, double most) const;
+  bool inside(const Wall* walls, const Vec2& point) const;
+  /// Calls wall(id) and pole(owner) for all that the cells around the disc hold, for some of them repeatedly.
   template <class WallVisit, class PoleVisit>
   void around(const Vec2& center, double radius, WallVisit wall, PoleVisit pole) const {
     const int right = frame_.nearest_column(center.x() + radius), top = frame_.nearest_row(center.y() + radius);
     for (int row = frame_.nearest_row(center.y() - radius); row <= top; ++row)
       for (int column = frame_.nearest_column(center.x() - radius); column <= right; ++column) {
-        const Cell& cell = cells_[frame_.index(column, row)];
-        for (const WallPair* p = pairs_.begin(cell.walls); p != pairs_.end(cell.walls); ++p)
-          for (const Tag& tag : p->tag)
-            if (tag.id != kNoWall) wall(tag.id, tag.owner);
+        const Cell& cell = cell_at(column, row);
+        for_each_wall(cell, wall);
         for (const PoleCopy* p = poles_.begin(cell.poles); p != poles_.end(cell.poles); ++p) pole(p->owner);
       }
   }
 
  private:
-  /// Two doubles: the vector width that every 64-bit processor has. Wider types than the processor's own are slow.
-  using Lanes [[gnu::vector_size(16)]] = double;
+  /// Four floats: a vector that every 64-bit processor has. Wider types than the processor's own are slow.
+  using Lanes [[gnu::vector_size(16)]] = float;
+  static constexpr std::size_t kLanes = 4;
   static constexpr std::uint32_t kNoWall = ~0u;
 
-  struct Tag {
-    std::uint32_t id = kNoWall;
-    std::uint32_t owner : 31 = 0;
-    std::uint32_t solid : 1 = 0;
-  };
-  /// Two walls of a cell side by side. An unused lane is NaN, which no test accepts.
-  struct WallPair {
+  /// Parts of four walls, from (ax, ay) to (bx, by) from the cell's corner. Unused lanes are NaN, which no test
+  /// accepts.
+  struct WallBlock {
     Lanes ax, ay, bx, by;
-    Tag tag[2];
+    std::uint32_t id[kLanes];
   };
   struct PoleCopy {
     Disc disc;
     std::uint32_t owner = 0;
   };
   struct Cell {
-    Run walls;  ///< in pairs; only the last pair may have an unused lane
+    Run walls;  ///< blocks; only the last may have unused lanes, at its end
     Run poles;
   };
 
-  void push(Cell& cell, const Wall& wall, std::uint32_t id);
-  void erase(Cell& cell, std::uint32_t id);
-  void cast_in_cell(const Cell& cell, NearestHit& nearest, const Vec2& origin, const Vec2& direction) const;
-  double squared_distance_in_cell(const Cell& cell, const Vec2& point, double best) const;
-  bool touches_solid(const Cell& cell, const Vec2& point) const;
+  template <class Visit>
+  void for_each_wall(const Cell& cell, Visit visit) const {
+    for (const WallBlock *block = blocks_.begin(cell.walls), *end = blocks_.end(cell.walls); block != end; ++block)
+      for (const std::uint32_t id : block->id)
+        if (id != kNoWall) visit(id);
+  }
+  static bool empty(const Cell& cell) { return cell.walls.count == 0 && cell.poles.count == 0; }
+  const Cell& cell_at(int column, int row) const { return cells_[frame_.index(column, row)]; }
+  void push(std::size_t index, const Vec2& a, const Vec2& b, std::uint32_t id);
+  void erase(std::size_t index, std::uint32_t id);
+  double squared_distance(const Cell& cell, const Wall* walls, const Vec2& point, double best) const;
+  bool touches_solid(const Cell& cell, const Wall* walls, const Vec2& point) const;
 
   CellFrame frame_;
   std::vector<Cell> cells_;
+  NumberSet occupied_;               ///< indices of cells that hold something
   std::vector<std::int32_t> depth_;  ///< solids around the cell's centre; true of the whole cell where it has no walls
   std::vector<std::int32_t> steps_;  ///< scratch of cover()
-  RunPool<WallPair> pairs_;
+  RunPool<WallBlock> blocks_;
   RunPool<PoleCopy> poles_;
 };
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
-#include <array>
+#include <bit>
 #include <cstddef>
-#include <limits>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -14,86 +13,70 @@
 namespace meander {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// One bit per lane of the outcome of a comparison.
 template <class Mask>
 unsigned bits(Mask mask) {
 #if defined(__SSE2__)
-  return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(mask)));
+  return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
 #else
-  return (mask[0] ? 1u : 0u) | (mask[1] ? 2u : 0u);
+  return (mask[0] ? 1u : 0u) | (mask[1] ? 2u : 0u) | (mask[2] ? 4u : 0u) | (mask[3] ? 8u : 0u);
 #endif
 }
 
-/// Limits [enter, leave] to where low <= origin + t * direction <= high.
-void clip(double origin, double direction, double low, double high, double& enter, double& leave) {
-  if (direction == 0) {
-    if (origin < low || origin > high) leave = -kInfinity;
-    return;
-  }
-  const double t0 = (low - origin) / direction, t1 = (high - origin) / direction;
-  enter = std::max(enter, std::min(t0, t1));
-  leave = std::min(leave, std::max(t0, t1));
-}
+/// 1 / x, but finite: a ray that never crosses any border of an axis crosses it at a very large range.
+double finite_reciprocal(double x) { return std::abs(x) < 1e-200 ? std::copysign(1e200, x) : 1 / x; }
 
 }  // namespace
 
-inline void ShapeGrid::cast_in_cell(const Cell& cell, NearestHit& nearest, const Vec2& origin,
-                                    const Vec2& direction) const {
-  const double ox = origin.x(), oy = origin.y(), ux = direction.x(), uy = direction.y();
-  for (const WallPair *pair = pairs_.begin(cell.walls), *end = pairs_.end(cell.walls); pair != end; ++pair) {
-    const Lanes ax = pair->ax - ox, ay = pair->ay - oy, bx = pair->bx - ox, by = pair->by - oy;
-    const Lanes side_a = ux * ay - uy * ax, side_b = ux * by - uy * bx;
-    for (unsigned hits = bits(side_a * side_b <= 0); hits != 0; hits &= hits - 1) {
-      const int i = std::countr_zero(hits);
-      nearest.meet_straddling({ax[i], ay[i]}, {bx[i], by[i]}, side_a[i], side_b[i], pair->tag[i].owner);
-    }
-  }
-  for (const PoleCopy *pole = poles_.begin(cell.poles), *end = poles_.end(cell.poles); pole != end; ++pole)
-    nearest.meet_pole(pole->disc, pole->owner);
-}
-
-void ShapeGrid::cast(NearestHit& nearest, const Vec2& origin, const Vec2& direction) const {
+void ShapeGrid::cast(NearestHit& nearest, const Wall* walls, const Vec2& origin, const Vec2& direction) const {
+  const Vec2 per_metre(finite_reciprocal(direction.x()), finite_reciprocal(direction.y()));
   // All pieces keep a cell away from the rim, so the ray may be cut there, and overshooting a little stays in the grid.
-  double enter = 0, leave = nearest.range();
-  const Vec2 margin(frame_.side, frame_.side), low = frame_.low + margin, high = frame_.high() - margin;
-  for (int axis = 0; axis < 2; ++axis) clip(origin[axis], direction[axis], low[axis], high[axis], enter, leave);
-  if (!(enter <= leave)) return;
+  const Vec2 margin(frame_.side, frame_.side);
+  const Vec2 t_low = (frame_.low + margin - origin).cwiseProduct(per_metre);
+  const Vec2 t_high = (frame_.high() - margin - origin).cwiseProduct(per_metre);
+  const double enter = std::max(0.0, t_low.cwiseMin(t_high).maxCoeff());
+  const double leave = t_low.cwiseMax(t_high).minCoeff();
+  if (!(enter <= std::min(leave, nearest.range()))) return;
 
   const Vec2 start = origin + enter * direction;
-  const std::array<int, 2> at{frame_.nearest_column(start.x()), frame_.nearest_row(start.y())};
-  std::array<double, 2> next{kInfinity, kInfinity},
-      delta{kInfinity, kInfinity};  // where the ray crosses the next border
-  std::array<std::ptrdiff_t, 2> stride{1, frame_.columns};
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double d = direction[static_cast<int>(axis)];
-    if (std::abs(d) < 1e-200) continue;
-    const double border = frame_.low[static_cast<int>(axis)] + (at[axis] + (d > 0)) * frame_.side;
-    next[axis] = (border - origin[static_cast<int>(axis)]) / d;
-    delta[axis] = frame_.side / std::abs(d);
-    if (d < 0) stride[axis] = -stride[axis];
-  }
-  for (const Cell* cell = &cells_[frame_.index(at[0], at[1])];;) {
-    cast_in_cell(*cell, nearest, origin, direction);
-    const std::size_t axis = next[1] < next[0];  // an index, because a branch here would be guessed wrong half the time
+  const int column = frame_.nearest_column(start.x()), row = frame_.nearest_row(start.y());
+  const Vec2 corner = frame_.low + frame_.side * Vec2(column, row);
+  const bool right = per_metre.x() > 0, up = per_metre.y() > 0;
+  const Vec2 border = corner + frame_.side * Vec2(right, up);
+  // By axis: where the ray crosses the next border, how much later the one after it, and what the step does.
+  double next[2] = {(border.x() - origin.x()) * per_metre.x(), (border.y() - origin.y()) * per_metre.y()};
+  const double delta[2] = {frame_.side * std::abs(per_metre.x()), frame_.side * std::abs(per_metre.y())};
+  const std::ptrdiff_t stride[2] = {right ? 1 : -1, up ? frame_.columns : -frame_.columns};
+  // The ray's line in a cell is ux * y - uy * x = offset, from the cell's corner.
+  double offset = cross(direction, origin - corner);
+  const double shift[2] = {right ? frame_.side * direction.y() : -frame_.side * direction.y(),
+                           up ? -frame_.side * direction.x() : frame_.side * direction.x()};
+  const float ux = static_cast<float>(direction.x()), uy = static_cast<float>(direction.y());
+  // Both distances from the line are within a cell's diagonal and rounded by less than 1e-6 of it.
+  const float slack = static_cast<float>(4e-6 * frame_.side * frame_.side);
+  for (const Cell* cell = &cell_at(column, row);;) {
+    const float c = static_cast<float>(offset);
+    for (const WallBlock *block = blocks_.begin(cell->walls), *end = blocks_.end(cell->walls); block != end; ++block) {
+      const Lanes side_a = ux * block->ay - uy * block->ax - c, side_b = ux * block->by - uy * block->bx - c;
+      for (unsigned hits = bits(side_a * side_b <= slack); hits != 0; hits &= hits - 1) {
+        const Wall& wall = walls[block->id[std::countr_zero(hits)]];
+        nearest.meet_wall(wall.a - origin, wall.b - origin, wall.owner);
+      }
+    }
+    for (const PoleCopy *pole = poles_.begin(cell->poles), *end = poles_.end(cell->poles); pole != end; ++pole)
+      nearest.meet_pole(pole->disc, pole->owner);
+    const bool axis = next[1] < next[0];  // an index, because a branch here would be guessed wrong half the time
     if (next[axis] >= std::min(nearest.range(), leave)) return;
     cell += stride[axis];
     next[axis] += delta[axis];
+    offset += shift[axis];
   }
 }
 
-inline double ShapeGrid::squared_distance_in_cell(const Cell& cell, const Vec2& point, double best) const {
-  for (const WallPair *pair = pairs_.begin(cell.walls), *end = pairs_.end(cell.walls); pair != end; ++pair) {
-    const Lanes dx = pair->bx - pair->ax, dy = pair->by - pair->ay;
-    const Lanes ex = point.x() - pair->ax, ey = point.y() - pair->ay;
-    Lanes t = (ex * dx + ey * dy) / (dx * dx + dy * dy);
-    t = t < 0 ? Lanes{0, 0} : t;
-    t = t > 1 ? Lanes{1, 1} : t;
-    const Lanes px = ex - t * dx, py = ey - t * dy;
-    const Lanes squared = px * px + py * py;
-    for (int i = 0; i < 2; ++i) best = squared[i] < best ? squared[i] : best;
-  }
+double ShapeGrid::squared_distance(const Cell& cell, const Wall* walls, const Vec2& point, double best) const {
+  for_each_wall(cell, [&](std::uint32_t id) {
+    best = std::min(best, squared_distance_to_segment(point, walls[id].a, walls[id].b));
+  });
   for (const PoleCopy *pole = poles_.begin(cell.poles), *end = poles_.end(cell.poles); pole != end; ++pole) {
     const double off = (pole->disc.center - point).norm() - pole->disc.radius;
     best = std::min(best, off * off);
@@ -101,58 +84,68 @@ inline double ShapeGrid::squared_distance_in_cell(const Cell& cell, const Vec2& 
   return best;
 }
 
-double ShapeGrid::distance(const Vec2& point, double most) const {
+double ShapeGrid::distance(const Wall* walls, const Vec2& point, double most) const {
   const int column = frame_.nearest_column(point.x()), row = frame_.nearest_row(point.y());
-  double best = squared_distance_in_cell(cells_[frame_.index(column, row)], point, most * most);
-  const auto near = [&](double gap) { return gap <= 0 || gap * gap < best; };
-  const auto scan = [&](int c, int r) { best = squared_distance_in_cell(cells_[frame_.index(c, r)], point, best); };
-  // Square rings of cells around the point's own, each side of a ring while it may hold something nearer.
+  double best = most * most;
+  // Outwards from the point's own column, in rows outwards from its own row, while a cell may hold something nearer.
+  const auto visit_row = [&](int r, double gap_y) {
+    const double reach = std::sqrt(best - gap_y * gap_y);
+    const auto visit = [&](std::size_t index, double gap_x) {
+      if (gap_x > 0 && gap_x * gap_x + gap_y * gap_y >= best) return false;
+      best = squared_distance(cells_[index], walls, point, best);
+      return true;
+    };
+    const std::size_t start = frame_.index(0, r), middle = frame_.index(column, r);
+    const std::size_t left = frame_.index(frame_.nearest_column(point.x() - reach), r);
+    const std::size_t end = frame_.index(frame_.nearest_column(point.x() + reach), r) + 1;
+    const auto border = [&](std::size_t index) {
+      return frame_.low.x() + static_cast<double>(index - start) * frame_.side;
+    };
+    for (std::size_t i = occupied_.next(middle, end); i < end; i = occupied_.next(i + 1, end))
+      if (!visit(i, border(i) - point.x())) break;
+    for (std::size_t i = occupied_.last(left, middle); i > left; i = occupied_.last(left, i - 1))
+      if (!visit(i - 1, point.x() - border(i))) break;
+  };
+  visit_row(row, 0);
   for (int k = 1;; ++k) {
-    const Vec2 inner_low = frame_.low + frame_.side * Vec2(column - k + 1, row - k + 1);
-    const Vec2 inner_high = frame_.low + frame_.side * Vec2(column + k, row + k);
-    const int left = std::max(column - k, 0), right = std::min(column + k, frame_.columns - 1);
-    const int bottom = std::max(row - k + 1, 0), top = std::min(row + k - 1, frame_.rows - 1);
-    const bool below = row - k >= 0 && near(point.y() - inner_low.y());
-    const bool above = row + k < frame_.rows && near(inner_high.y() - point.y());
-    const bool before = column - k >= 0 && near(point.x() - inner_low.x());
-    const bool behind = column + k < frame_.columns && near(inner_high.x() - point.x());
-    if (!below && !above && !before && !behind) return std::min(most, std::sqrt(best));
-    for (int c = left; below && c <= right; ++c) scan(c, row - k);
-    for (int c = left; above && c <= right; ++c) scan(c, row + k);
-    for (int r = bottom; before && r <= top; ++r) scan(column - k, r);
-    for (int r = bottom; behind && r <= top; ++r) scan(column + k, r);
+    const double below = std::max(0.0, point.y() - (frame_.low.y() + (row - k + 1) * frame_.side));
+    const double above = std::max(0.0, frame_.low.y() + (row + k) * frame_.side - point.y());
+    const bool down = row - k >= 0 && below * below < best, up = row + k < frame_.rows && above * above < best;
+    if (!down && !up) return std::min(most, std::sqrt(best));
+    if (down) visit_row(row - k, below);
+    if (up && above * above < best) visit_row(row + k, above);
   }
 }
 
-bool ShapeGrid::touches_solid(const Cell& cell, const Vec2& point) const {
+bool ShapeGrid::touches_solid(const Cell& cell, const Wall* walls, const Vec2& point) const {
   for (const PoleCopy *pole = poles_.begin(cell.poles), *end = poles_.end(cell.poles); pole != end; ++pole)
     if ((point - pole->disc.center).norm() <= pole->disc.radius + kTouch) return true;
-  for (const WallPair *pair = pairs_.begin(cell.walls), *end = pairs_.end(cell.walls); pair != end; ++pair)
-    for (int i = 0; i < 2; ++i)
-      if (pair->tag[i].id != kNoWall && pair->tag[i].solid &&
-          squared_distance_to_segment(point, {pair->ax[i], pair->ay[i]}, {pair->bx[i], pair->by[i]}) <= kTouch * kTouch)
-        return true;
-  return false;
+  bool touches = false;
+  for_each_wall(cell, [&](std::uint32_t id) {
+    const Wall& w = walls[id];
+    touches |= w.solid && squared_distance_to_segment(point, w.a, w.b) <= kTouch * kTouch;
+  });
+  return touches;
 }
 
-bool ShapeGrid::inside(const Vec2& point) const {
+bool ShapeGrid::inside(const Wall* walls, const Vec2& point) const {
   if (!Box{frame_.low, frame_.high() - Vec2(frame_.side, frame_.side)}.contains(point)) return false;
   const int first = frame_.column(point.x()), row = frame_.row(point.y());
-  if (touches_solid(cells_[frame_.index(first, row)], point)) return true;
-  // Towards +x until a cell without walls, whose depth is true of all its points, counting the crossings on the way. A
-  // crossing counts in the cell that it lies in.
+  if (touches_solid(cell_at(first, row), walls, point)) return true;
+  // Towards +x until a cell without solid walls, whose depth is true of all its points, counting the crossings on the
+  // way. A crossing counts in the cell that it lies in.
   int depth = 0;
   for (int column = first; column < frame_.columns; ++column) {
-    const Cell& cell = cells_[frame_.index(column, row)];
-    if (cell.walls.count == 0) return depth + depth_[frame_.index(column, row)] > 0;
-    for (const WallPair *pair = pairs_.begin(cell.walls), *end = pairs_.end(cell.walls); pair != end; ++pair)
-      for (int i = 0; i < 2; ++i) {
-        const Vec2 a(pair->ax[i], pair->ay[i]), b(pair->bx[i], pair->by[i]);
-        const int step = pair->tag[i].solid ? winding_step(point, a, b) : 0;
-        if (step == 0) continue;
-        const double x = a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-        if (std::max(first, frame_.column(x)) == column) depth += step;
-      }
+    bool bordered = false;
+    for_each_wall(cell_at(column, row), [&](std::uint32_t id) {
+      const Wall& w = walls[id];
+      bordered |= w.solid;
+      const int step = w.solid ? winding_step(point, w.a, w.b) : 0;
+      if (step == 0) return;
+      const double x = w.a.x() + (point.y() - w.a.y()) / (w.b.y() - w.a.y()) * (w.b.x() - w.a.x());
+      if (std::max(first, frame_.column(x)) == column) depth += step;
+    });
+    if (!bordered) return depth + depth_[frame_.index(column, row)] > 0;
   }
   return depth > 0;
 }

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "geometry/shape_index.hpp"
 
-#include "geometry/marks.hpp"
 #include "geometry/nearest_hit.hpp"
+#include "geometry/number_set.hpp"
 #include "geometry/shape_index_state.hpp"
 
 namespace meander {
@@ -46,33 +46,38 @@ const Material& ShapeIndex::material(std::uint16_t index) const { return state_-
 
 std::optional<RayHit> ShapeIndex::cast(const Vec2& origin, const Vec2& direction, double max_range) const {
   NearestHit nearest(origin, direction, max_range);
-  state_->grid.cast(nearest, origin, direction);
+  state_->grid.cast(nearest, state_->walls.data(), origin, direction);
   return nearest.hit();
 }
 
-double ShapeIndex::distance(const Vec2& point, double most) const { return state_->grid.distance(point, most); }
+double ShapeIndex::distance(const Vec2& point, double most) const {
+  return state_->grid.distance(state_->walls.data(), point, most);
+}
 
-bool ShapeIndex::inside(const Vec2& point) const { return state_->grid.inside(point); }
+bool ShapeIndex::inside(const Vec2& point) const { return state_->grid.inside(state_->walls.data(), point); }
 
 void ShapeIndex::gather(const Vec2& center, double radius, std::vector<Wall>& walls, std::vector<Pole>& poles) const {
-  // Scratch of the thread, so that several may ask one index. Marks put the pieces in order and each in once.
-  thread_local Marks wall_marks, owner_marks;
-  wall_marks.reset(state_->walls.size());
-  owner_marks.reset(state_->owners.size());
-  state_->grid.around(
-      center, radius, [&](std::uint32_t id, std::uint32_t owner) { wall_marks.set(id), owner_marks.set(owner); },
-      [&](std::uint32_t owner) { owner_marks.set(owner); });
+  const State& state = *state_;
+  // Scratch of the thread, so that several may ask one index. The sets put the pieces in order, and each in once.
+  thread_local NumberSet near_walls, near_owners;
+  near_walls.clear(state.walls.size());
+  near_owners.clear(state.owners.size());
+  state.grid.around(
+      center, radius, [&](std::uint32_t id) { near_walls.insert(id), near_owners.insert(state.walls[id].owner); },
+      [&](std::uint32_t owner) { near_owners.insert(owner); });
   walls.clear();
   poles.clear();
-  owner_marks.for_each(0, static_cast<std::uint32_t>(state_->owners.size()), [&](std::uint32_t slot) {
-    const State::Owner& owner = state_->owners[slot];
-    const Run run = owner.walls;
-    wall_marks.for_each(run.first, run.first + run.count, [&](std::uint32_t id) {
-      if (within(center, radius, state_->walls[id])) walls.push_back(state_->walls[id]);
-    });
+  const std::size_t end = state.owners.size();
+  for (std::size_t slot = near_owners.next(0, end); slot < end; slot = near_owners.next(slot + 1, end)) {
+    const State::Owner& owner = state.owners[slot];
+    const std::size_t last = owner.walls.first + owner.walls.count;
+    for (std::size_t id = near_walls.next(owner.walls.first, last); id < last; id = near_walls.next(id + 1, last)) {
+      const Wall& wall = state.walls[static_cast<std::uint32_t>(id)];
+      if (within(center, radius, wall)) walls.push_back(wall);
+    }
     if (owner.round && (owner.disc.center - center).norm() <= radius + owner.disc.radius)
-      poles.push_back({owner.disc, slot, owner.material});
-  });
+      poles.push_back({owner.disc, static_cast<std::uint32_t>(slot), owner.material});
+  }
 }
 
 std::uint64_t ShapeIndex::revision() const { return state_->revision; }

@@ -22,6 +22,15 @@ bool same(const Material& a, const Material& b) {
   return a.echo == b.echo && (a.specular_limit == b.specular_limit || both_unset);
 }
 
+Box box_of(std::span<const Wall> walls) {
+  Box box{walls.front().a, walls.front().a};
+  for (const Wall& wall : walls) {
+    box.low = box.low.cwiseMin(wall.a).cwiseMin(wall.b);
+    box.high = box.high.cwiseMax(wall.a).cwiseMax(wall.b);
+  }
+  return box;
+}
+
 }  // namespace
 
 ShapeIndex::State::State(double cell)
@@ -33,12 +42,12 @@ void ShapeIndex::State::insert(std::uint32_t slot, const Shape& shape, const Mat
   if (owner.present) fail("shape index: owner {} already has a shape", slot);
   owner.material = number_of(material);
   owner.present = true;
-  owner.box = bounding_box(shape);
   const Disc* disc = std::get_if<Disc>(&shape);
   owner.round = disc != nullptr;
   if (disc) owner.disc = *disc;
   scratch_.clear();
   append_walls(shape, scratch_);
+  owner.box = disc ? bounding_box(shape) : box_of(scratch_);
   walls.resize(owner.walls, static_cast<std::uint32_t>(scratch_.size()));
   Wall* wall = walls.begin(owner.walls);
   for (const Wall& w : scratch_) *wall = w, wall->owner = slot, wall->material = owner.material, ++wall;
