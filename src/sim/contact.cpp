@@ -27,8 +27,9 @@ double way_to_side(const Vec2& from, const Vec2& by, double reach, const Vec2& a
   const double length = along.norm();
   const double height = cross(along, from - a) / length;
   const double climb = cross(along, by) / length;
-  if (std::abs(height) <= reach || height * climb >= 0) return kFreeWay;
-  const double share = (std::abs(height) - reach) / std::abs(climb);
+  if (height * climb >= 0 || std::abs(climb) <= kParallel * by.norm()) return kFreeWay;
+  // Rounding may put a body that stands at the margin a little inside: it may not go on, either.
+  const double share = std::max(0.0, (std::abs(height) - reach) / std::abs(climb));
   const double foot = (from + share * by - a).dot(along);
   return share <= 1 && foot >= 0 && foot <= length * length ? share : kFreeWay;
 }
