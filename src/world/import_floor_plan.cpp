@@ -13,6 +13,8 @@
 namespace meander {
 namespace {
 
+constexpr int kRosUnknown = 205;
+
 /// Brightness on white paper.
 Grid<std::uint8_t> brightness(const Image& image, double resolution) {
   Grid<std::uint8_t> grid(image.width, image.height, 0, {resolution, {}});
@@ -44,6 +46,7 @@ Imported import_floor_plan(const std::string& image_path, const FloorPlanOptions
   validate(options);
   Grid<std::uint8_t> grid = brightness(read_image(image_path), options.resolution);
   const double threshold = options.threshold > 0 ? options.threshold : otsu_threshold(grid);
+  const std::vector<std::uint8_t> greys = grid.cells();
   for (auto& cell : grid.cells()) cell = (cell < threshold) != options.negate;
   const auto solid = std::count(grid.cells().begin(), grid.cells().end(), 1);
   const double share = static_cast<double>(solid) / static_cast<double>(grid.cells().size());
@@ -52,7 +55,11 @@ Imported import_floor_plan(const std::string& image_path, const FloorPlanOptions
       fmt::format("{:.1f} % of the pixels are walls: {} than grey {:g}{}", 100 * share,
                   options.negate ? "not darker" : "darker", threshold,
                   options.threshold > 0 ? "" : " (chosen by Otsu's method)")};
-  if (share > 0.5)
+  const auto unknown = std::count(greys.begin(), greys.end(), kRosUnknown);
+  if (static_cast<double>(unknown) > 0.01 * static_cast<double>(greys.size()))
+    report.push_back(fmt::format("{} pixels have grey {}, which ROS maps use for unknown; here they are {}", unknown,
+                                 kRosUnknown, (kRosUnknown < threshold) != options.negate ? "walls" : "free"));
+  else if (share > 0.5)
     report.push_back(
         "warning: more than half of the picture is wall; negate swaps dark and light, threshold moves the border");
   return world_from_raster(grid, image_path, options.trace, std::move(report), work);

@@ -30,9 +30,9 @@ void fields(Options& o, Visitor&& visit) {
         o.unknown);
   visit(Field{"convention", "", "whose comparisons count at the thresholds (ROS maps)"}, o.convention);
   visit(Field{"index", "", "which of the worlds (BARN tables)", 0, 1e9}, o.index);
-  visit(
-      Field{"epsilon", "cells", "how far a straight outline may leave the edges of cells (maps and pictures)", 0, 0.49},
-      o.epsilon);
+  visit(Field{"epsilon", "cells", "how far a straight outline may leave the edges of cells (maps and pictures)", 0,
+              0.499},
+        o.epsilon);
   visit(Field{"min_area", "m^2", "smaller solid patches are dropped as specks (maps and pictures)", 0, 1e6},
         o.min_area);
 }

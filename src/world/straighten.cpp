@@ -35,16 +35,16 @@ class Wedge {
   }
   bool narrow(const Vec2& point) { return narrow(point - from_, point - from_); }
 
-  /// Where a line of the wedge crosses the gate, as near to its middle as can be.
-  Vec2 crossing(const Gate& gate) const {
+  /// Where the lines of the wedge cross the gate, from the rightmost (share 0) to the leftmost (share 1).
+  Vec2 crossing(const Gate& gate, double share) const {
     const Vec2 side = left_of(gate.forward);
     const Vec2 to_middle = gate.middle - from_;
     const auto offset = [&](const Vec2& direction) {
       const double length = to_middle.dot(gate.forward) / direction.dot(gate.forward);
       return (length * direction - to_middle).dot(side);
     };
-    const double nearest = std::clamp(0.0, offset(right_), std::max(offset(right_), offset(left_)));
-    return gate.middle + std::clamp(nearest, -epsilon_, epsilon_) * side;
+    const double right = offset(right_), left = offset(left_);
+    return gate.middle + std::clamp(right + share * (left - right), -epsilon_, epsilon_) * side;
   }
 
  private:
@@ -94,18 +94,43 @@ class Ring {
   /// Appends the corners from `start` through the gates first .. last - 1 up to, but without, `goal`.
   void route(const Vec2& start, std::size_t first, std::size_t last, const Vec2& goal,
              std::vector<Vec2>& corners) const {
-    corners.push_back(start);
-    Wedge wedge(start, epsilon_);
-    for (std::size_t i = first; i <= last; ++i) {
-      const auto passes = [&] { return i < last ? wedge.narrow(gate(i)) : wedge.narrow(goal); };
-      if (passes()) continue;
-      corners.push_back(wedge.crossing(gate(i - 1)));
-      wedge = Wedge(corners.back(), epsilon_);
-      passes();  // the next gate is always in reach
-    }
+    const Stretch whole{first, last, goal};
+    for (Line line = longest(start, whole); corners.push_back(line.from), line.end <= last;)
+      line = next(line, {line.end, last, goal});
   }
 
  private:
+  /// Gates first .. last - 1, and a point after them.
+  struct Stretch {
+    std::size_t first, last;
+    Vec2 goal;
+  };
+  /// What a straight line can do from a point on.
+  struct Line {
+    Vec2 from;
+    Wedge wedge;
+    std::size_t end;  ///< the first gate that it cannot pass; last: the goal; last + 1: it reaches the goal
+  };
+
+  Line longest(const Vec2& from, const Stretch& stretch) const {
+    Line line{from, Wedge(from, epsilon_), stretch.first};
+    while (line.end < stretch.last && line.wedge.narrow(gate(line.end))) ++line.end;
+    if (line.end == stretch.last && line.wedge.narrow(stretch.goal)) ++line.end;
+    return line;
+  }
+
+  /// The line that goes on from where the last one ends: of a few places on its last gate the one from which it gets
+  /// farthest, the middle one if in doubt.
+  Line next(const Line& line, const Stretch& rest) const {
+    const Gate last_gate = gate(line.end - 1);
+    Line best = longest(line.wedge.crossing(last_gate, 0.5), rest);
+    for (const double share : {0.25, 0.75, 0.0, 1.0}) {
+      Line other = longest(line.wedge.crossing(last_gate, share), rest);
+      if (other.end > best.end) best = other;
+    }
+    return best;
+  }
+
   const std::vector<Outline::Step>& steps_;
   double epsilon_;
 };

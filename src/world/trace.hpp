@@ -12,7 +12,7 @@
 namespace meander {
 
 struct TraceOptions {
-  double epsilon = 0.45;  ///< [cells]
+  double epsilon = 0.49;  ///< [cells]
   double min_area = 0;    ///< [m^2]
 };
 
@@ -20,7 +20,7 @@ template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, TraceOptions>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"epsilon", "cells", "how far a straight outline may leave the edges of the cells that it replaces", 0,
-              0.49},
+              0.499},
         o.epsilon);
   visit(Field{"min_area", "m^2", "smaller solid patches are dropped as specks", 0, 1e6}, o.min_area);
 }
@@ -37,6 +37,7 @@ struct Traced {
 /// - the centre of each cell is on its side: solids contain exactly the centres of the solid cells (less the specks);
 /// - no outline crosses or touches itself or another one; solids and free areas keep their number and their nesting;
 /// - no outline is farther than one cell from the edges of the cells; right angles stay exact.
+/// Beyond the grid all is free.
 Traced trace(const Grid<std::uint8_t>& solid, const TraceOptions& options = {}, const Work& work = {});
 
 }  // namespace meander
