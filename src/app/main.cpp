@@ -85,7 +85,7 @@ int run(CommandLine line) {
 }  // namespace meander
 
 int main(int argc, char** argv) {
-  meander::check_output_at_exit();
+  meander::guard_output();
   meander::CommandLine line;
   if (const auto code = meander::parse_command_line(argc, argv, line)) return *code;
   if (line.script == "test") {

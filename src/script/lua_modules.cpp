@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "base/names.hpp"
 #include "script/lua_embedded.hpp"
 #include "script/lua_setup.hpp"
 
@@ -16,6 +18,7 @@ namespace {
 constexpr std::string_view kPrefix = "meander.";
 
 int not_found(lua_State* L, const std::string& where) {
+  if (where.empty()) return 0;
   lua_pushlstring(L, where.data(), where.size());
   return 1;
 }
@@ -33,6 +36,15 @@ int search_folder(lua_State* L) {
   return 2;
 }
 
+/// "json" is found as meander.json, and misspelt names as the nearest one.
+std::string near_module(const std::string& name) {
+  const std::string full = name.starts_with(kPrefix) ? name : std::string(kPrefix) + name;
+  std::vector<std::string> names;
+  for (const EmbeddedModule& module : embedded_modules()) names.emplace_back(module.name);
+  if (std::find(names.begin(), names.end(), full) != names.end()) return "; did you mean '" + full + "'?";
+  return did_you_mean(full, names);
+}
+
 int search_embedded(lua_State* L) {
   const std::string name = luaL_checkstring(L, 1);
   for (const EmbeddedModule& module : embedded_modules()) {
@@ -42,7 +54,7 @@ int search_embedded(lua_State* L) {
     lua_pushliteral(L, ":embedded:");
     return 2;
   }
-  return not_found(L, name.starts_with(kPrefix) ? "no module of that name in the program" : "");
+  return not_found(L, "no module in the program" + near_module(name));
 }
 
 }  // namespace

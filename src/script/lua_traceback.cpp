@@ -5,13 +5,15 @@
 #include <fmt/format.h>
 #include <lauxlib.h>
 
+#include <algorithm>
 #include <cstring>
 #include <string_view>
 
 namespace meander::script {
 namespace {
 
-constexpr std::size_t kShownFrames = 12;
+constexpr int kFirstFrames = 8;
+constexpr int kLastFrames = 3;
 
 /// Lines of scripts only: neither bound functions nor the modules inside the program tell a user anything.
 bool of_a_script(const lua_Debug& frame) {
@@ -20,23 +22,42 @@ bool of_a_script(const lua_Debug& frame) {
 
 std::string place_text(const lua_Debug& frame) {
   if (std::strcmp(frame.what, "main") == 0) return "at top level";
-  if (frame.name) return fmt::format("in {} '{}'", *frame.namewhat ? frame.namewhat : "function", frame.name);
-  return fmt::format("in the function of line {}", frame.linedefined);
+  if (!frame.name) return fmt::format("in the function of line {}", frame.linedefined);
+  const bool method = std::strcmp(frame.namewhat, "method") == 0;
+  return fmt::format("in {} '{}'", method ? "method" : "function", frame.name);
+}
+
+/// Asking for level n costs n steps in Lua: a deep stack is measured by bisection and only its ends are looked at.
+int stack_depth(lua_State* L) {
+  lua_Debug frame;
+  int below = 1, beyond = 1;
+  while (lua_getstack(L, beyond, &frame)) below = beyond, beyond *= 2;
+  while (below < beyond) {
+    const int middle = below + (beyond - below) / 2;
+    if (lua_getstack(L, middle, &frame))
+      below = middle + 1;
+    else
+      beyond = middle;
+  }
+  return beyond;
+}
+
+void add_frames(lua_State* L, int from, int to, std::vector<std::string>& frames) {
+  lua_Debug frame;
+  for (int level = from; level < to && lua_getstack(L, level, &frame); ++level) {
+    lua_getinfo(L, "Sln", &frame);
+    if (of_a_script(frame))
+      frames.push_back(fmt::format("{}:{}: {}", frame.short_src, frame.currentline, place_text(frame)));
+  }
 }
 
 std::vector<std::string> script_frames(lua_State* L) {
   std::vector<std::string> frames;
-  std::size_t hidden = 0;
-  lua_Debug frame;
-  for (int level = 1; lua_getstack(L, level, &frame); ++level) {
-    lua_getinfo(L, "Sln", &frame);
-    if (!of_a_script(frame)) continue;
-    if (frames.size() < kShownFrames)
-      frames.push_back(fmt::format("{}:{}: {}", frame.short_src, frame.currentline, place_text(frame)));
-    else
-      ++hidden;
-  }
-  if (hidden) frames.push_back(fmt::format("... and {} more", hidden));
+  const int depth = stack_depth(L);
+  const int resumed = std::max(1 + kFirstFrames, depth - kLastFrames);
+  add_frames(L, 1, 1 + kFirstFrames, frames);
+  if (resumed > 1 + kFirstFrames) frames.push_back(fmt::format("... {} more", resumed - 1 - kFirstFrames));
+  add_frames(L, resumed, depth, frames);
   if (frames.size() < 2) frames.clear();
   return frames;
 }
@@ -48,6 +69,8 @@ int on_error(lua_State* L) {
   if (lua_isstring(L, 1)) return 1;
   if (luaL_getmetafield(L, 1, "__tostring") != LUA_TNIL)
     luaL_tolstring(L, 1, nullptr);
+  else if (lua_isnil(L, 1))
+    lua_pushliteral(L, "error without a message");
   else
     lua_pushfstring(L, "error value is a %s, not a text", luaL_typename(L, 1));
   return 1;
