@@ -2,11 +2,20 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "script/bindings.hpp"
 
+#include "script/bind.hpp"
+#include "script/kit_module.hpp"
+
 namespace meander::script {
 
 void bind_all(lua_State* L) {
-  lua_newtable(L);
-  lua_setglobal(L, "meander");
+  Module(L, "meander", "A laboratory for sonar navigation.");
+  bind_world(L);
+  bind_world_edit(L);
+  bind_world_module(L);
+  bind_thing(L);
+  bind_numbers(L);
+  bind_matrix(L);
+  bind_help(L);
 }
 
 }  // namespace meander::script

@@ -11,17 +11,6 @@
 namespace meander::script {
 namespace {
 
-/// Lua's collector sees a box of 24 bytes where megabytes hang on it: it is stepped as if Lua had taken that memory.
-void account(lua_State* L, std::size_t bytes) {
-  constexpr std::size_t kSmall = 64 * 1024;
-  std::size_t& debt = session(L).native_debt;
-  debt += bytes;
-  if (debt < kSmall) return;
-  const std::size_t kilobytes = std::min<std::size_t>(debt / 1024, 1 << 20);
-  debt = 0;
-  if (lua_gc(L, LUA_GCISRUNNING)) lua_gc(L, LUA_GCSTEP, static_cast<int>(kilobytes));
-}
-
 /// __gc and __close. The tag is an upvalue: the function may be called on anything by way of the debug library.
 int release(lua_State* L) {
   const auto* tag = static_cast<const TypeTag*>(lua_touserdata(L, lua_upvalueindex(1)));
@@ -68,7 +57,7 @@ void push_metatable(lua_State* L, const TypeTag& tag) {
   lua_rawsetp(L, LUA_REGISTRYINDEX, &tag);
 }
 
-void push_new(lua_State* L, const TypeTag& tag, std::shared_ptr<void> object, std::size_t bytes) {
+void push_new(lua_State* L, const TypeTag& tag, std::shared_ptr<void> object) {
   luaL_checkstack(L, 6, nullptr);
   // Everything that may run out of memory comes before the box owns the object.
   push_metatable(L, tag);
@@ -76,22 +65,33 @@ void push_new(lua_State* L, const TypeTag& tag, std::shared_ptr<void> object, st
   new (memory) ObjectBox{&tag, std::move(object)};
   lua_insert(L, -2);
   lua_setmetatable(L, -2);
-  account(L, bytes);
 }
 
-void push_shared(lua_State* L, const TypeTag& tag, std::shared_ptr<void> object, std::size_t bytes) {
+bool push_shared(lua_State* L, const TypeTag& tag, std::shared_ptr<void> object) {
   luaL_checkstack(L, 6, nullptr);
   const void* address = object.get();
   push_identities(L, tag);
   if (lua_rawgetp(L, -1, address) == LUA_TUSERDATA) {
     const ObjectBox* known = test_box(L, -1, tag);
-    if (known && known->object.get() == address) return lua_remove(L, -2);
+    if (known && known->object.get() == address) return lua_remove(L, -2), false;
   }
   lua_pop(L, 1);
-  push_new(L, tag, std::move(object), bytes);
+  push_new(L, tag, std::move(object));
   lua_pushvalue(L, -1);
   lua_rawsetp(L, -3, address);
   lua_remove(L, -2);
+  return true;
+}
+
+void account(lua_State* L, std::size_t bytes) {
+  // The collector sees a box of 24 bytes where megabytes hang on it: it is stepped as if Lua had taken that memory.
+  constexpr std::size_t kSmall = 64 * 1024;
+  std::size_t& debt = session(L).native_debt;
+  debt += bytes;
+  if (debt < kSmall) return;
+  const std::size_t kilobytes = std::min<std::size_t>(debt / 1024, 1 << 20);
+  debt = 0;
+  if (lua_gc(L, LUA_GCISRUNNING)) lua_gc(L, LUA_GCSTEP, static_cast<int>(kilobytes));
 }
 
 }  // namespace meander::script

@@ -39,10 +39,12 @@ std::size_t native_size(const T&) {
 
 /// The box at `index` if it is one of the given type, or nullptr. Open or closed.
 ObjectBox* test_box(lua_State* L, int index, const TypeTag& tag);
-/// Pushes a new userdata for the object and tells the collector about `bytes` of native memory.
-void push_new(lua_State* L, const TypeTag& tag, std::shared_ptr<void> object, std::size_t bytes);
-/// The same object pushed twice gives the same userdata, so that == and table keys work.
-void push_shared(lua_State* L, const TypeTag& tag, std::shared_ptr<void> object, std::size_t bytes);
+/// Pushes a new userdata for the object.
+void push_new(lua_State* L, const TypeTag& tag, std::shared_ptr<void> object);
+/// The same object pushed twice gives the same userdata, so that == and table keys work. True when it is a new one.
+bool push_shared(lua_State* L, const TypeTag& tag, std::shared_ptr<void> object);
+/// Tells Lua's collector about native memory that hangs on the userdata just pushed.
+void account(lua_State* L, std::size_t bytes);
 /// Pushes the metatable of a type, made empty at its first use.
 void push_metatable(lua_State* L, const TypeTag& tag);
 
@@ -60,10 +62,10 @@ template <Object T>
 struct Lua<std::shared_ptr<T>> {
   static std::shared_ptr<T> read(lua_State* L, int index, const Path& path) { return read_object<T>(L, index, path); }
   static void push(lua_State* L, const std::shared_ptr<T>& object) {
-    if (object)
-      push_shared(L, tag_of<T>, object, native_size(*object));
-    else
+    if (!object)
       lua_pushnil(L);
+    else if (push_shared(L, tag_of<T>, object))
+      account(L, native_size(*object));
   }
   static std::string type() { return ObjectName<T>::value; }
 };
@@ -74,7 +76,8 @@ struct Lua<T> {
   static T read(lua_State* L, int index, const Path& path) { return *read_object<T>(L, index, path); }
   static void push(lua_State* L, T value) {
     const std::size_t bytes = native_size(value);
-    push_new(L, tag_of<T>, std::make_shared<T>(std::move(value)), bytes);
+    push_new(L, tag_of<T>, std::make_shared<T>(std::move(value)));
+    account(L, bytes);
   }
   static std::string type() { return ObjectName<T>::value; }
 };

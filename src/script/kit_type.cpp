@@ -14,13 +14,15 @@ const char kMembers = 0;     ///< keys the member table in the metatable
 const char kElement = 0;     ///< keys the reader of integer keys in the member table
 
 [[noreturn]] void no_member(lua_State* L, const Record& type, bool setting) {
-  std::vector<std::string> known;
-  for (const Record* member : session(L).docs.members(type.name()))
+  std::vector<std::string> names, known;
+  for (const Record* member : session(L).docs.members(type.name())) {
+    names.push_back(member->member);
     if (!setting || member->settable) known.push_back(member->member);
+  }
   const std::string key =
       lua_type(L, 2) == LUA_TSTRING ? "'" + std::string(lua_tostring(L, 2)).substr(0, 60) + "'" : describe(L, 2);
   const std::string plain = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-  fail("has no {} {}{}{}", setting ? "property to set called" : "member", key, did_you_mean(plain, known),
+  fail("has no {} {}{}{}", setting ? "property to set called" : "member", key, did_you_mean(plain, names),
        known.empty() ? "" : " (known: " + listing(known) + ")");
 }
 
@@ -47,11 +49,14 @@ int index(lua_State* L) {
 int set_index(lua_State* L) {
   lua_settop(L, 3);
   lua_pushvalue(L, 2);
-  if (lua_rawget(L, lua_upvalueindex(1)) == LUA_TUSERDATA) {
+  const int found = lua_rawget(L, lua_upvalueindex(1));
+  if (found == LUA_TUSERDATA) {
     const auto& property = *static_cast<const Property*>(lua_touserdata(L, -1));
     if (property.set) return property.set(L, *property.record);
     return border(L, *property.record, []() -> int { fail("cannot be set"); });
   }
+  if (found == LUA_TFUNCTION)
+    return border(L, own_type(L), [&]() -> int { fail("'{}' cannot be set", lua_tostring(L, 2)); });
   return border(L, own_type(L), [&]() -> int { no_member(L, own_type(L), true); });
 }
 

@@ -19,6 +19,8 @@ const Record* type_record(lua_State* L, int index);
 class TypeBuilder {
  public:
   TypeBuilder(lua_State* L, const TypeTag& tag, const char* text);
+  /// Adds to a type that exists.
+  TypeBuilder(lua_State* L, const TypeTag& tag) : L_(L), tag_(tag) {}
 
  protected:
   void add_method(Record record, lua_CFunction function);
@@ -37,6 +39,7 @@ template <Object T>
 class Type : public TypeBuilder {
  public:
   Type(lua_State* L, const char* text) : TypeBuilder(L, tag_of<T>, text) {}
+  explicit Type(lua_State* L) : TypeBuilder(L, tag_of<T>) {}
 
   template <auto F>
   Type& method(CompleteDoc<arity<F> - 1, returns_something<F>> doc) {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "base/fields.hpp"
@@ -214,6 +215,14 @@ struct Lua<std::map<std::string, T>> {
     }
   }
   static std::string type() { return "table of " + Lua<T>::type(); }
+};
+
+/// One of several types.
+template <class... T>
+struct Lua<std::variant<T...>> {
+  static void push(lua_State* L, const std::variant<T...>& value) {
+    std::visit([&](const auto& v) { script::push(L, v); }, value);
+  }
 };
 
 /// Several results: they are several values in Lua too.

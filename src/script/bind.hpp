@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <lua.h>
+
+namespace meander::script {
+
+// One function per bind_<thing>.cpp; bind_all() calls them in an order in which every name that is used is there.
+void bind_world(lua_State* L);
+void bind_world_edit(lua_State* L);
+void bind_world_module(lua_State* L);
+void bind_thing(lua_State* L);
+void bind_numbers(lua_State* L);
+void bind_matrix(lua_State* L);
+void bind_observation(lua_State* L);
+void bind_sim(lua_State* L);
+void bind_drive(lua_State* L);
+void bind_run(lua_State* L);
+void bind_robot(lua_State* L);
+void bind_sensor(lua_State* L);
+void bind_navigators(lua_State* L);
+void bind_study(lua_State* L);
+void bind_help(lua_State* L);
+
+}  // namespace meander::script

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include <lauxlib.h>
+
+#include "geometry/angle.hpp"
+#include "script/bind.hpp"
+#include "script/help_text.hpp"
+#include "script/kit_module.hpp"
+
+namespace meander::script {
+
+/// Any Lua value, left on the stack.
+struct Any {
+  lua_State* L;
+  int index;
+};
+template <>
+struct Lua<Any> {
+  static Any read(lua_State* L, int index, const Path&) { return {L, index}; }
+  static std::string type() { return "any"; }
+};
+
+namespace {
+
+double deg(double angle) { return radians(angle); }
+double rad(double angle) { return degrees(angle); }
+
+void show(const Any& value, const Call& call) {
+  if (lua_isnoneornil(value.L, value.index) || luaL_getmetafield(value.L, value.index, "__show") == LUA_TNIL)
+    fail("something that can be seen expected (a world, a sim, a run, a reading), got {}",
+         describe(value.L, value.index));
+  lua_pushvalue(value.L, value.index);
+  lua_call(value.L, 1, 1);
+  call.write(read_text(value.L, -1, Path{.kind = Path::Kind::value, .name = "__show"}));
+}
+
+void help(const Any& value, const Call& call) {
+  const Docs& docs = session(call.L).docs;
+  if (lua_isnoneornil(value.L, value.index)) return call.write(overview_text(docs));
+  const Record* record = nullptr;
+  if (lua_type(value.L, value.index) == LUA_TSTRING) {
+    const std::string name = lua_tostring(value.L, value.index);
+    record = find_record(docs, name);
+    if (!record) fail("nothing is known about '{}'{}", name.substr(0, 60), did_you_mean(name, record_names(docs)));
+  } else {
+    record = record_of(value.L, value.index);
+  }
+  if (!record)
+    fail("a name, a function of meander or one of its objects expected, got {}", describe(value.L, value.index));
+  call.write(help_text(docs, *record));
+}
+
+void apropos(const std::string& word, const Call& call) {
+  const Docs& docs = session(call.L).docs;
+  const std::vector<const Record*> found = docs.about(word);
+  call.write(found.empty() ? "nothing is known about '" + word + "'\n" : list_text(found));
+}
+
+}  // namespace
+
+void bind_help(lua_State* L) {
+  Module(L, "", "")
+      .function<&deg>(Doc{.name = "deg",
+                          .text = "An angle given in degrees, in radians: heading = deg(30).",
+                          .args = {{"angle", "in degrees"}},
+                          .returns = "the angle in radians",
+                          .example = "print(deg(180))"})
+      .function<&rad>(Doc{.name = "rad",
+                          .text = "An angle given in radians, in degrees: the reverse of deg, for printing.",
+                          .args = {{"angle", "in radians", "rad"}},
+                          .returns = "the angle in degrees",
+                          .example = "print(rad(math.pi))"})
+      .function<&show>(Doc{.name = "show",
+                           .text = "Draws an object in the terminal: a world, a sim, a run, a sonar reading.",
+                           .args = {{"object", "what to draw"}},
+                           .errors = "something that has no picture",
+                           .example = "show(meander.world.open 'worlds/office.toml')"})
+      .function<&help>(
+          Doc{.name = "help",
+              .text = "Says what something is and how it is used.",
+              .args = {{"what", "a function, module or object of meander, or a name; everything when left out"}},
+              .errors = "nothing is known about it",
+              .example = "help 'sim:drive'"})
+      .function<&apropos>(Doc{.name = "apropos",
+                              .text = "Lists everything whose name or description contains a word.",
+                              .args = {{"word", "what to look for"}},
+                              .example = "apropos 'sonar'"});
+}
+
+}  // namespace meander::script

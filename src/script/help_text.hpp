@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "script/docs.hpp"
+
+namespace meander::script {
+
+/// What help(x) writes.
+std::string help_text(const Docs& docs, const Record& record);
+/// Modules, types and global functions, a line each.
+std::string overview_text(const Docs& docs);
+/// A line for each record: its signature and its text.
+std::string list_text(const std::vector<const Record*>& records);
+
+/// By full name, or by the name without "meander." in front.
+const Record* find_record(const Docs& docs, std::string_view name);
+std::vector<std::string> record_names(const Docs& docs);
+
+}  // namespace meander::script
