@@ -46,6 +46,11 @@ class FlatYaml {
     fail<FileError>("{}:{}: {}", name_, line_, fmt::format(format, std::forward<Args>(args)...));
   }
 
+  [[noreturn]] void complain_of_no_value(const YamlEntry& entry) const {
+    if (!at_end() && column() != 0) complain("a key in the first column expected; nested values are not understood");
+    fail<FileError>("{}:{}: key '{}': a value expected", name_, entry.line, printable(entry.key));
+  }
+
   void skip_blanks() {
     while (!at_end() && is_blank(text_[at_])) ++at_;
   }
@@ -87,7 +92,7 @@ class FlatYaml {
     } else if (here() == '\n' || at_comment()) {
       entry.list = true;
       block_list(entry.values);
-      if (entry.values.empty()) complain("key '{}': a value expected", printable(entry.key));
+      if (entry.values.empty()) complain_of_no_value(entry);
       return entry;
     } else {
       entry.values.push_back(scalar(""));
