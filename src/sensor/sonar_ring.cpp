@@ -35,7 +35,7 @@ struct SonarRing::State {
 
   Candidates list;
   double roam = -1;                   ///< the list serves places up to here from its centre [m]
-  const ShapeIndex* index = nullptr;  ///< that the list was gathered from, at this revision
+  std::shared_ptr<const char> index;  ///< that the list was gathered from, at this revision
   std::uint64_t revision = 0;
   Contact contact;
 
@@ -101,14 +101,14 @@ void SonarRing::State::follow(const Scene& scene, std::span<const Pose2> poses, 
     away = std::max(away, (pose.position() - list.center()).norm());
     spread = std::max(spread, (pose.position() - poses.front().position()).norm());
   }
-  if (index != &walls || !(away <= roam) ||
+  if (index != walls.identity() || !(away <= roam) ||
       (revision != walls.revision() && walls.touched_since(revision, list.center(), list.radius()))) {
     roam = kRoam + spread;
     list.gather(walls, poses.front().position(), options.range_max + layout.radius + roam);
     contact.forget();
     reflectors.clear();
   }
-  index = &walls;
+  index = walls.identity();
   revision = walls.revision();
   list.set_moving(scene.moving, self);
 }

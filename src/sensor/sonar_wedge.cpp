@@ -8,6 +8,9 @@
 namespace meander::sonar {
 namespace {
 
+/// Room for so many pieces from the first use on, so that scans soon cease to allocate.
+constexpr std::size_t kUsual = 64;
+
 /// One end of the part of a wall within the wedge: its place a + t (b - a), and its direction where a border cut it.
 struct Cut {
   double t;
@@ -146,6 +149,8 @@ void WedgeView::start(const View& from, const Wedge& in, const Hearing& how, std
   view = from, wedge = in, hearing = how, reflectors = of;
   pieces.clear();
   echoes.clear();
+  pieces.reserve(kUsual);
+  echoes.reserve(kUsual);
 }
 
 void WedgeView::add(const Wall& wall, std::uint32_t source, double most) {
