@@ -63,7 +63,7 @@ TEST(Step, DoesNotSlideAlongAWall) {
 }
 
 TEST(Step, AccelerationAndSpeedKeepTheirLimits) {
-  Sim sim(room(40, 40), {nomad()}, {});
+  Sim sim(room(40, 40), {nomad(Pose2{20, 20, 0})}, {});
   const Body& body = sim.robot().platform.body;
   Wanderer wanderer(3);
   double v = 0, w = 0;
@@ -160,7 +160,7 @@ TEST(Step, BumpersTellContact) {
 }
 
 TEST(Step, PeriodJitterKeepsTheMean) {
-  Sim sim(room(20, 20), {nomad()}, {.period = 0.1, .period_jitter = 0.2});
+  Sim sim(room(20, 20), {nomad(Pose2{10, 10, 0})}, {.period = 0.1, .period_jitter = 0.2});
   double shortest = 1, longest = 0;
   for (int i = 0; i < 1000; ++i) {
     const double period = sim.step({0, 0, 0}).period;

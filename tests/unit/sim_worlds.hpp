@@ -9,21 +9,23 @@
 
 namespace meander {
 
-/// A closed room of the given size with its lower left corner at the origin.
+/// A closed room of the given size with its lower left corner at the origin, without a start.
 inline std::shared_ptr<World> room(double width, double height) {
   Header header;
   header.title = "room";
   header.bounds = {{0, 0}, {width, height}};
-  header.start = Pose2{width / 2, height / 2, 0};
   auto world = std::make_shared<World>(header);
   world->add(Obstacle{
       .name = "walls", .shape = Chain{{{0, 0}, {width, 0}, {width, height}, {0, height}}, true}, .surface = {}});
   return world;
 }
 
-/// A room of 8 x 8 m with boxes, poles and thin walls scattered in it; the middle is free.
+/// A room of 8 x 8 m with boxes, poles and thin walls scattered in it; the start in the middle is free.
 inline std::shared_ptr<World> cluttered(std::uint64_t seed) {
   auto world = room(8, 8);
+  Header header = world->header();
+  header.start = Pose2{4, 4, 0};
+  world->set_header(header);
   Stream random(seed, "clutter");
   for (int i = 0; i < 14; ++i) {
     const Vec2 at{random.uniform(0.5, 7.5), random.uniform(0.5, 7.5)};
