@@ -73,7 +73,8 @@ void press(Canvas& canvas, const Stencil& stencil, Color color, Mark mark) {
   }
 }
 
-int line_type(const Canvas& canvas) { return canvas.smooth ? cv::LINE_AA : cv::LINE_8; }
+/// Without smoothing, pixels of a line join along rows and columns, so that thin walls are tight.
+int line_type(const Canvas& canvas) { return canvas.smooth ? cv::LINE_AA : cv::LINE_4; }
 
 /// What can be seen, plus `margin` pixels: nothing outside reaches OpenCV, whose coordinates are 32 bits wide.
 Box reach(const Canvas& canvas, double margin) {
@@ -105,15 +106,11 @@ void paint_item(Canvas& canvas, const DrawArea& area) {
   fill(canvas, rings, area.color, area.mark);
 }
 
-void paint_item(Canvas& canvas, const DrawDisc& disc) {
-  // A disc smaller than a pixel still shows as one.
-  const double radius = std::max(disc.disc.radius, 0.5 * canvas.least_width / canvas.viewport.scale);
-  fill(canvas, {circle({disc.disc.center, radius}, radius * canvas.viewport.scale)}, disc.color, disc.mark);
-}
-
 void paint_item(Canvas& canvas, const DrawPolyline& line) {
   constexpr double kThickest = 32'000;  // OpenCV's limit is 32767
-  const double width = std::clamp(line.width * canvas.viewport.scale, canvas.least_width, kThickest);
+  const bool faint = line.mark == Mark::ground || line.mark == Mark::grid || line.mark == Mark::open_door;
+  const double least = faint ? 1 : canvas.least_width;
+  const double width = std::clamp(line.width * canvas.viewport.scale, least, kThickest);
   std::vector<std::vector<Vec2>> runs;
   for (Ring& part : clipped_line(on_canvas(canvas, line.points), line.closed, reach(canvas, width + 4))) {
     if (part.closed) part.points.push_back(part.points.front());
@@ -124,6 +121,16 @@ void paint_item(Canvas& canvas, const DrawPolyline& line) {
   cv::polylines(stroke.mask, fixed_point(runs, stroke.box), false, cv::Scalar(255),
                 static_cast<int>(std::lround(width)), line_type(canvas), kShift);
   press(canvas, stroke, line.color, line.mark);
+}
+
+void paint_item(Canvas& canvas, const DrawDisc& disc) {
+  // A disc smaller than a pixel still shows as one.
+  const double radius = std::max(disc.disc.radius, 0.5 * canvas.least_width / canvas.viewport.scale);
+  const std::vector<Vec2> rim = circle({disc.disc.center, radius}, radius * canvas.viewport.scale);
+  if (disc.line > 0)
+    paint_item(canvas, DrawPolyline{rim, true, disc.line, disc.color, disc.mark});
+  else
+    fill(canvas, {rim}, disc.color, disc.mark);
 }
 
 /// OpenCV's stroke fonts know ASCII only.
@@ -186,6 +193,12 @@ void paint_item(Canvas& canvas, const DrawCells& cells) {
       blend(&canvas.image.pixels[3 * to], color, color.a);
       canvas.marks[to] = static_cast<std::uint8_t>(cells.marks.empty() ? Mark::cell : cells.marks[from]);
     }
+}
+
+void paint_item(Canvas& canvas, const DrawBody& body) {
+  if (body.disc.radius * canvas.viewport.scale < canvas.least_body)
+    return paint_item(canvas, DrawDisc{body.disc, body.color, body.mark});
+  for (const DrawItem& part : parts(body)) std::visit([&](const auto& thing) { paint_item(canvas, thing); }, part);
 }
 
 }  // namespace

@@ -15,9 +15,10 @@ struct Canvas {
   Viewport viewport;
   Image image;                      ///< RGB
   std::vector<std::uint8_t> marks;  ///< the Mark on top of each pixel
-  double least_width = 1;           ///< [pixels] hairlines, and lines that would be thinner
+  double least_width = 1;           ///< [pixels] of lines that matter; faint ones (grid, open doors) may have 1
   bool smooth = true;               ///< soften edges; false: every pixel belongs to one item
   bool lettered = true;             ///< paint texts
+  double least_body = 0;            ///< [pixels] radius from which bodies show their heading
 };
 
 Canvas blank_canvas(const Viewport& viewport, int width, int height, Color background);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/theme.hpp"
 #include "render/unicode.hpp"
 
 namespace meander {
@@ -29,7 +30,8 @@ bool drawable_item(const DrawArea& area) {
 }
 
 bool drawable_item(const DrawDisc& disc) {
-  return finite(disc.disc.center) && finite(disc.disc.radius) && disc.disc.radius > 0;
+  return finite(disc.disc.center) && finite(disc.disc.radius) && disc.disc.radius > 0 && finite(disc.line) &&
+         disc.line >= 0;
 }
 
 bool drawable_item(const DrawText& text) {
@@ -42,6 +44,10 @@ bool drawable_item(const DrawCells& cells) {
   return count > 0 && cells.colors.size() == count && (cells.marks.empty() || cells.marks.size() == count) &&
          finite(cells.resolution) && cells.resolution > 0 && finite(cells.origin.position()) &&
          finite(cells.origin.heading);
+}
+
+bool drawable_item(const DrawBody& body) {
+  return drawable_item(DrawDisc{body.disc, body.color, body.mark}) && (!body.heading || finite(*body.heading));
 }
 
 }  // namespace
@@ -69,6 +75,18 @@ std::vector<const DrawItem*> painting_order(const DrawList& list) {
 
 bool drawable(const DrawItem& item) {
   return std::visit([](const auto& thing) { return drawable_item(thing); }, item);
+}
+
+std::vector<DrawItem> parts(const DrawBody& body) {
+  const double r = body.disc.radius;
+  std::vector<DrawItem> items{DrawDisc{body.disc, body.color, body.mark}};
+  items.push_back(DrawDisc{{body.disc.center, 0.94 * r}, mixed(body.color, body.nose, 0.25), body.mark, 0.12 * r});
+  if (!body.heading) return items;
+  const Pose2 pose{body.disc.center.x(), body.disc.center.y(), *body.heading};
+  const std::vector<Vec2> arrow{pose * Vec2(0.72 * r, 0), pose * Vec2(-0.36 * r, 0.5 * r), pose * Vec2(-0.14 * r, 0),
+                                pose * Vec2(-0.36 * r, -0.5 * r)};
+  items.push_back(DrawArea{{arrow, {}}, body.nose, body.mark});
+  return items;
 }
 
 std::string printable(const std::string& text) {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -60,6 +61,7 @@ struct DrawDisc {
   Disc disc;
   Color color;
   Mark mark = Mark::wall;
+  double line = 0;  ///< width of the circle line [m]; 0: filled
 };
 enum class Align { left, center, right };
 struct DrawText {
@@ -79,7 +81,16 @@ struct DrawCells {
   std::vector<Color> colors;  ///< row-major, bottom row first
   std::vector<Mark> marks;    ///< the same shape, or empty: Mark::cell everywhere
 };
-using DrawItem = std::variant<DrawPolyline, DrawArea, DrawDisc, DrawText, DrawCells>;
+/// Something round, with an arrow that shows where it heads. Where it is too small for that, a terminal shows the
+/// heading by a character.
+struct DrawBody {
+  Disc disc;
+  std::optional<double> heading;
+  Color color;
+  Color nose;
+  Mark mark = Mark::robot;
+};
+using DrawItem = std::variant<DrawPolyline, DrawArea, DrawDisc, DrawText, DrawCells, DrawBody>;
 
 struct DrawList {
   Box view{{0, 0}, {1, 1}};
@@ -95,6 +106,9 @@ std::vector<const DrawItem*> painting_order(const DrawList& list);
 
 /// Can the item be drawn at all? Numbers finite, sizes matching.
 bool drawable(const DrawItem& item);
+
+/// What a body is made of: a disc, its rim, and the arrow.
+std::vector<DrawItem> parts(const DrawBody& body);
 
 /// Valid UTF-8 without control characters: names come from files and must neither break XML nor steer a terminal.
 /// Offending bytes become U+FFFD.

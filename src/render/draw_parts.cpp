@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/clip.hpp"
-
 namespace meander {
 
 double picture_unit(const Box& view) { return 0.01 * std::max(view.size().x(), view.size().y()); }
@@ -40,23 +38,6 @@ void draw_dashed(DrawList& list, const std::vector<Vec2>& points, bool closed, d
     if (drawing) list.items.push_back(DrawPolyline{run, false, width, color, mark});
     run = {to}, left = dash, drawing = !drawing;
   }
-}
-
-void draw_ring(DrawList& list, const Disc& disc, double width, Color color, Mark mark) {
-  list.items.push_back(DrawPolyline{circle(disc, 200), true, width, color, mark});
-}
-
-void draw_body(DrawList& list, const Disc& disc, std::optional<double> heading, Color body, Color nose, Mark mark) {
-  list.items.push_back(DrawDisc{disc, body, mark});
-  draw_ring(list, {disc.center, 0.94 * disc.radius}, 0.12 * disc.radius, mixed(body, nose, 0.25), mark);
-  if (!heading) return;
-  const Pose2 pose{disc.center.x(), disc.center.y(), *heading};
-  const double r = disc.radius;
-  list.items.push_back(DrawArea{{{pose * Vec2(0.72 * r, 0), pose * Vec2(-0.36 * r, 0.5 * r), pose * Vec2(-0.14 * r, 0),
-                                  pose * Vec2(-0.36 * r, -0.5 * r)},
-                                 {}},
-                                nose,
-                                mark});
 }
 
 }  // namespace meander

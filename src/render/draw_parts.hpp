@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "render/draw_list.hpp"
@@ -20,11 +18,5 @@ double round_length(double most);
 /// The run of points cut into dashes of `dash` metres with equal gaps; whole when that would be more than 1000 dashes.
 void draw_dashed(DrawList& list, const std::vector<Vec2>& points, bool closed, double dash, double width, Color color,
                  Mark mark);
-
-/// A circle line of the given width.
-void draw_ring(DrawList& list, const Disc& disc, double width, Color color, Mark mark);
-
-/// A disc with a rim, and a nose that shows the heading when there is one.
-void draw_body(DrawList& list, const Disc& disc, std::optional<double> heading, Color body, Color nose, Mark mark);
 
 }  // namespace meander

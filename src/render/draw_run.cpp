@@ -27,10 +27,10 @@ std::vector<std::vector<Vec2>> ways(std::span<const Pose2> poses, double least) 
 void draw_goal(DrawList& list, const TrackGoal& goal, std::size_t number, double unit, const Theme& theme) {
   const Color color = goal.reached ? theme.goal : theme.contact;
   list.items.push_back(DrawDisc{{goal.position, goal.tolerance}, faded(color, 70), Mark::ground});
-  draw_ring(list, {goal.position, goal.tolerance}, 0.2 * unit, color, Mark::goal);
+  list.items.push_back(DrawDisc{{goal.position, goal.tolerance}, color, Mark::goal, 0.2 * unit});
   list.items.push_back(DrawDisc{{goal.position, 1.15 * unit}, color, Mark::goal});
   list.items.push_back(DrawText{goal.position - Vec2(0, 0.6 * unit), fmt::format("{}", number), 1.2 * unit,
-                                Color{255, 255, 255}, Color{0, 0, 0, 0}, Align::center});
+                                Color{255, 255, 255}, Color{0, 0, 0, 0}, Align::center, Mark::goal});
 }
 
 void draw_contact(DrawList& list, const Vec2& at, double unit, const Theme& theme) {
@@ -64,12 +64,12 @@ void draw_track(DrawList& list, const Track& track, const Theme& theme) {
   for (std::size_t i = 0; i < track.goals.size(); ++i) draw_goal(list, track.goals[i], i + 1, unit, theme);
   for (const Vec2& at : track.contacts) draw_contact(list, at, unit, theme);
   if (track.poses.empty()) return;
-  draw_ring(list, {track.poses.front().position(), track.radius}, 0.3 * unit, theme.start, Mark::start);
+  list.items.push_back(DrawDisc{{track.poses.front().position(), track.radius}, theme.start, Mark::start, 0.3 * unit});
   draw_robot(list, track.poses.back(), track.radius, theme);
 }
 
 void draw_robot(DrawList& list, const Pose2& pose, double radius, const Theme& theme) {
-  draw_body(list, {pose.position(), radius}, pose.heading, theme.robot, theme.robot_nose, Mark::robot);
+  list.items.push_back(DrawBody{{pose.position(), radius}, pose.heading, theme.robot, theme.robot_nose, Mark::robot});
 }
 
 void draw_readings(DrawList& list, const Scan& scan, const Theme& theme) {

@@ -27,10 +27,10 @@ void draw_grid_lines(DrawList& list, const Box& bounds, double unit, Color color
 /// Below the floor: how long a round number of metres is, and what the picture shows.
 void draw_scale(DrawList& list, const Box& bounds, const std::string& caption, double unit, const Theme& theme) {
   const double length = round_length(0.25 * bounds.size().x());
-  const Vec2 from = bounds.low - Vec2(0, 2.6 * unit);
+  const Vec2 from = bounds.low - Vec2(0, 3 * unit);
   const Vec2 to = from + Vec2(length, 0);
   const Vec2 tick(0, 0.7 * unit);
-  list.items.push_back(DrawPolyline{{from + tick, from, to, to + tick}, false, 0.25 * unit, theme.muted, Mark::ground});
+  list.items.push_back(DrawPolyline{{from + tick, from, to, to + tick}, false, 0.25 * unit, theme.muted, Mark::label});
   list.items.push_back(DrawText{to + Vec2(unit, 0), fmt::format("{:g} m", length), 1.3 * unit, theme.muted});
   if (!caption.empty())
     list.items.push_back(
@@ -58,7 +58,7 @@ class Painter {
       way.insert(way.end(), mover.waypoints.begin(), mover.waypoints.end());
       draw_dashed(list_, way, true, 0.8 * unit_, 0.2 * unit_, faded(theme_.mover, 150), Mark::ground);
     }
-    draw_body(list_, mover.disc, std::nullopt, theme_.mover, theme_.floor, Mark::mover);
+    list_.items.push_back(DrawBody{mover.disc, std::nullopt, theme_.mover, theme_.floor, Mark::mover});
   }
 
   void draw(const Light& light) {
@@ -70,16 +70,16 @@ class Painter {
 
   void draw(const Place& place) {
     list_.items.push_back(DrawDisc{{place.position, place.tolerance}, faded(theme_.place, 36), Mark::ground});
-    draw_ring(list_, {place.position, 0.6 * unit_}, 0.25 * unit_, theme_.place, Mark::place);
+    list_.items.push_back(DrawDisc{{place.position, 0.6 * unit_}, theme_.place, Mark::place, 0.25 * unit_});
     if (place.heading) {
       const Vec2 way = Pose2{0, 0, *place.heading}.direction();
       line({place.position + 0.6 * unit_ * way, place.position + 1.8 * unit_ * way}, theme_.place, Mark::place);
     }
-    if (look_.names) text(place.position + Vec2(0, 1.3 * unit_), place.name);
+    if (look_.names) text(place.position + Vec2(0, 1.7 * unit_), place.name);
   }
 
   void draw_start(const Pose2& start) {
-    draw_ring(list_, {start.position(), 1.1 * unit_}, 0.3 * unit_, theme_.start, Mark::start);
+    list_.items.push_back(DrawDisc{{start.position(), 1.1 * unit_}, theme_.start, Mark::start, 0.3 * unit_});
     line({start.position(), start * Vec2(2.2 * unit_, 0)}, theme_.start, Mark::start);
   }
 
@@ -128,7 +128,7 @@ DrawList draw_floor(const Box& bounds, const std::string& caption, const WorldLo
   DrawList list;
   list.background = colors.background;
   const double margin = 2 * unit;
-  list.view = {bounds.low - Vec2(margin, look.scale ? 4 * unit : margin), bounds.high + Vec2(margin, margin)};
+  list.view = {bounds.low - Vec2(margin, look.scale ? 4.5 * unit : margin), bounds.high + Vec2(margin, margin)};
   list.items.push_back(DrawArea{{corners(bounds), {}}, colors.floor, Mark::ground});
   if (look.grid && unit > 0) draw_grid_lines(list, bounds, unit, colors.grid);
   list.items.push_back(DrawPolyline{corners(bounds), true, 0.12 * unit, colors.bounds, Mark::grid});

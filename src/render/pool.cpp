@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "render/thin.hpp"
+
 namespace meander {
 namespace {
 
@@ -35,10 +37,11 @@ class Tallies {
   }
 
   std::vector<Pool> pools() const {
+    std::vector<int> cover;
+    for (const Tally& tally : blocks_) cover.push_back(tally.solid);
+    const auto walls = thinned_walls(cover, columns_, rows_, pixels_);
     std::vector<Pool> pools;
-    pools.reserve(blocks_.size());
-    for (int row = 0; row < rows_; ++row)
-      for (int column = 0; column < columns_; ++column) pools.push_back(pool(column, row));
+    for (std::size_t i = 0; i < blocks_.size(); ++i) pools.push_back(pool(blocks_[i], walls[i] != 0));
     return pools;
   }
 
@@ -54,37 +57,16 @@ class Tallies {
     for (std::size_t i = 0; i < 3; ++i) tally.sum[is_solid(mark)][i] += rgb[i];
   }
 
-  int solid_at(int column, int row) const {
-    if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return 0;
-    return blocks_[index(column, row)].solid;
-  }
-
-  bool half_covered(int solid) const { return 2 * solid >= pixels_; }
-
-  /// Does a thin wall cross here rather than in the block on either side? The first of two equals wins.
-  bool ridge(int solid, int before, int after) const {
-    return solid >= before && solid > after && !half_covered(before) && !half_covered(after);
-  }
-
-  bool solid(int column, int row) const {
-    const int here = solid_at(column, row);
-    if (half_covered(here)) return true;
-    if (8 * here < pixels_) return false;
-    return ridge(here, solid_at(column - 1, row), solid_at(column + 1, row)) ||
-           ridge(here, solid_at(column, row - 1), solid_at(column, row + 1));
-  }
-
-  Pool pool(int column, int row) const {
-    const Tally& tally = blocks_[index(column, row)];
-    const bool is_wall = tally.solid > 0 && solid(column, row);
+  Pool pool(const Tally& tally, bool is_wall) const {
     return {color(tally, is_wall && tally.solid >= tally.above), mark(tally, is_wall)};
   }
 
-  /// The uppermost mark that covers an eighth of the block.
+  /// The uppermost mark that covers an eighth of the block, and more of it than a wall does.
   Mark mark(const Tally& tally, bool is_wall) const {
     for (int mark = kMarks - 1; mark > 0; --mark) {
-      const bool shows = is_solid(mark) ? is_wall && tally.count[static_cast<std::size_t>(mark)] * 2 >= tally.solid
-                                        : 8 * tally.count[static_cast<std::size_t>(mark)] >= pixels_;
+      const int count = tally.count[static_cast<std::size_t>(mark)];
+      const bool shows = is_solid(mark) ? is_wall && 2 * count >= tally.solid
+                                        : 8 * count >= pixels_ && (!is_wall || count > tally.solid);
       if (shows) return static_cast<Mark>(mark);
     }
     return Mark::ground;

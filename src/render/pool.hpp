@@ -13,9 +13,8 @@ struct Pool {
   Mark mark = Mark::ground;
 };
 
-/// Blocks of width x height pixels, row-major. Averages would wash thin walls out, so walls and closed doors are
-/// decided first: a block is solid when they cover half of it, or when they cover an eighth and more than its
-/// neighbours (then it is where a thin wall runs). Solid blocks show only the solid's colour, the others only the rest.
+/// Blocks of width x height pixels, row-major. Averages would wash thin walls out, so it is decided first which blocks
+/// are wall or closed door (see thinned_walls): those show only the wall's colour, the others only the rest.
 std::vector<Pool> pooled(const Canvas& canvas, int block_width, int block_height);
 
 }  // namespace meander

@@ -36,6 +36,13 @@ void append(std::string& out, Fixed number) {
     fmt::format_to(std::back_inserter(out), ".{}", hundredths / 10);
 }
 
+/// "1.5 2": a sign separates too.
+void append_pair(std::string& out, long x, long y) {
+  append(out, Fixed(x));
+  if (y >= 0) out += ' ';
+  append(out, Fixed(y));
+}
+
 std::string number(double units) {
   std::string text;
   append(text, Fixed(units));
@@ -77,7 +84,7 @@ class Writer {
   explicit Writer(const DrawList& list)
       : viewport_(fit(list.view, kLongerSide, kLongerSide)),
         reach_{Vec2(-viewport_.width, -viewport_.height), Vec2(2 * viewport_.width, 2 * viewport_.height)} {
-    const std::string width = number(viewport_.width), height = number(viewport_.height);
+    const std::string width = number(std::max(viewport_.width, 1.0)), height = number(std::max(viewport_.height, 1.0));
     out_ = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
         "stroke-linecap=\"round\" stroke-linejoin=\"round\" fill-rule=\"evenodd\" "
@@ -85,18 +92,29 @@ class Writer {
         width, height, paint("fill", list.background));
   }
 
-  std::string finish() && { return std::move(out_) + "</svg>\n"; }
+  std::string finish() && {
+    close_lines();
+    return std::move(out_) + "</svg>\n";
+  }
 
+  /// Lines of one style that follow each other (dashes, grid lines) become one path.
   void add(const DrawPolyline& line) {
     std::string path;
     for (const Ring& run : clipped_line(on_picture(line.points), line.closed, reach_)) append_run(path, run);
     if (path.empty()) return;
     const double width = std::max(line.width * viewport_.scale, kHairline);
-    out_ += fmt::format("<path d=\"{}\" fill=\"none\"{} stroke-width=\"{}\"/>\n", path, paint("stroke", line.color),
-                        number(width));
+    std::string style =
+        fmt::format("\" fill=\"none\"{} stroke-width=\"{}\"/>\n", paint("stroke", line.color), number(width));
+    if (style != open_style_) {
+      close_lines();
+      out_ += "<path d=\"";
+      open_style_ = std::move(style);
+    }
+    out_ += path;
   }
 
   void add(const DrawArea& area) {
+    close_lines();
     std::string path;
     append_ring(path, area.polygon.outer);
     for (const auto& hole : area.polygon.holes) append_ring(path, hole);
@@ -104,15 +122,20 @@ class Writer {
   }
 
   void add(const DrawDisc& disc) {
+    close_lines();
     const Vec2 center = viewport_(disc.disc.center);
     const double radius = disc.disc.radius * viewport_.scale;
-    if (!reach_.contains(center) || radius > 2 * kLongerSide)
-      return add(DrawArea{{circle(disc.disc, radius), {}}, disc.color, disc.mark});
+    if (!reach_.contains(center) || radius > 2 * kLongerSide) return add_faceted(disc);
+    std::string style = paint("fill", disc.color);
+    if (disc.line > 0)
+      style = fmt::format(" fill=\"none\"{} stroke-width=\"{}\"", paint("stroke", disc.color),
+                          number(std::max(disc.line * viewport_.scale, kHairline)));
     out_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}/>\n", number(center.x()), number(center.y()),
-                        number(std::max(radius, 0.5 * kHairline)), paint("fill", disc.color));
+                        number(std::max(radius, 0.5 * kHairline)), style);
   }
 
   void add(const DrawText& text) {
+    close_lines();
     constexpr double kCapital = 0.72;  // height of a capital letter over the font size, in common sans-serif fonts
     const Vec2 at = viewport_(text.at);
     const double size = text.height * viewport_.scale / kCapital;
@@ -127,6 +150,7 @@ class Writer {
   }
 
   void add(const DrawCells& cells) {
+    close_lines();
     const auto groups = merged_cells(cells);
     const Vec2 corner = viewport_(cells.origin.position());
     out_ += fmt::format(
@@ -142,7 +166,25 @@ class Writer {
     out_ += "</g>\n";
   }
 
+  void add(const DrawBody& body) {
+    for (const DrawItem& part : parts(body)) std::visit([&](const auto& thing) { add(thing); }, part);
+  }
+
  private:
+  /// Discs far larger than the picture: what crosses it is cut out of a polygon.
+  void add_faceted(const DrawDisc& disc) {
+    const auto rim = circle(disc.disc, disc.disc.radius * viewport_.scale);
+    if (disc.line > 0)
+      add(DrawPolyline{rim, true, disc.line, disc.color, disc.mark});
+    else
+      add(DrawArea{{rim, {}}, disc.color, disc.mark});
+  }
+
+  void close_lines() {
+    out_ += open_style_;
+    open_style_.clear();
+  }
+
   std::vector<Vec2> on_picture(const std::vector<Vec2>& points) const {
     std::vector<Vec2> units;
     for (const Vec2& p : points) units.push_back(viewport_(p));
@@ -158,13 +200,13 @@ class Writer {
   static void append_run(std::string& path, const Ring& run) {
     long x = Fixed(run.points.front().x()).value, y = Fixed(run.points.front().y()).value;
     path += 'M';
-    append(path, Fixed(x)), path += ' ', append(path, Fixed(y));
+    append_pair(path, x, y);
     bool stepped = false;
     for (std::size_t i = 1; i < run.points.size(); ++i) {
       const long next_x = Fixed(run.points[i].x()).value, next_y = Fixed(run.points[i].y()).value;
       if (next_x == x && next_y == y) continue;
-      path += stepped ? ' ' : 'l';
-      append(path, Fixed(next_x - x)), path += ' ', append(path, Fixed(next_y - y));
+      path += !stepped ? "l" : next_x < x ? "" : " ";
+      append_pair(path, next_x - x, next_y - y);
       x = next_x, y = next_y, stepped = true;
     }
     if (!stepped) path += "h0";  // a point: round line ends still show it
@@ -172,7 +214,8 @@ class Writer {
   }
 
   Viewport viewport_;
-  Box reach_;  ///< in units; beyond it nothing is written
+  Box reach_;               ///< in units; beyond it nothing is written
+  std::string open_style_;  ///< what closes the path element that is being written
   std::string out_;
 };
 

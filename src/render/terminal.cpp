@@ -23,7 +23,7 @@ struct Symbol {
 constexpr Symbol kSymbols[kMarks] = {
     {' ', ""},      {' ', ""},           {' ', ""},     {' ', ""},        {':', "sonar cone"}, {'o', "place"},
     {'*', "light"}, {'\'', "open door"}, {'#', "wall"}, {'+', "door"},    {'m', "mover"},      {'.', "path"},
-    {'^', "echo"},  {'S', "start"},      {'G', "goal"}, {'x', "contact"}, {'@', "robot"},      {' ', ""}};
+    {'^', "echo"},  {'S', "start"},      {'G', "goal"}, {'x', "contact"}, {'@', "robot"},      {'-', ""}};
 
 const Symbol& symbol(Mark mark) { return kSymbols[static_cast<std::size_t>(mark)]; }
 
@@ -46,22 +46,45 @@ Glyph half_block(Color upper, Color lower) {
   return {kUpperHalf, upper, lower};
 }
 
-/// Writes texts over a frame; a text that would touch an earlier one is left out.
+/// [half characters] radius below which a body shows its heading by a character.
+constexpr double kLeastBody = 4;
+
+/// The character that points along the heading.
+char32_t arrow(double heading, TerminalMode mode) {
+  if (mode == TerminalMode::ascii) {
+    constexpr char kSigns[] = {'>', '^', '<', 'v'};
+    return static_cast<char32_t>(kSigns[std::lround(wrap_angle(heading) / (kPi / 2) + 4) % 4]);
+  }
+  constexpr char32_t kArrows[] = {U'\u2192', U'\u2197', U'\u2191', U'\u2196',
+                                  U'\u2190', U'\u2199', U'\u2193', U'\u2198'};
+  return kArrows[std::lround(wrap_angle(heading) / (kPi / 4) + 8) % 8];
+}
+
+/// Writes texts over a frame. A text that would touch an earlier one or cover a higher mark is left out.
 class Lettering {
  public:
-  Lettering(Frame& frame, const Viewport& pixels) : frame_(frame), pixels_(pixels), taken_(frame.glyphs.size()) {}
+  Lettering(Frame& frame, std::vector<Mark> shown, const Viewport& pixels)
+      : frame_(frame), pixels_(pixels), shown_(std::move(shown)), taken_(frame.glyphs.size()) {}
 
   void write(const DrawText& text) {
     std::u32string words = code_points(printable(text.text));
     words.resize(std::min<std::size_t>(words.size(), static_cast<std::size_t>(frame_.columns)));
     const int length = static_cast<int>(words.size());
-    const Vec2 at = pixels_(text.at + Vec2(0, 0.5 * text.height));
+    const Vec2 at = pixels_(text.at + Vec2(0, 0.25 * text.height));
     if (!(at.x() >= 0 && at.y() >= 0 && at.x() < pixels_.width && at.y() < pixels_.height)) return;
     const int shift = text.align == Align::left ? 0 : text.align == Align::center ? length / 2 : length;
     const int row = std::min(static_cast<int>(at.y() / 2), frame_.rows - 1);
     const int first = std::clamp(static_cast<int>(at.x()) - shift, 0, frame_.columns - length);
-    if (crowded(first, length, row)) return;
+    if (crowded(first, length, row) || covers(text.mark, first, length, row)) return;
     for (int i = 0; i < length; ++i) put(first + i, row, words[static_cast<std::size_t>(i)], text.color);
+  }
+
+  void write(const DrawBody& body) {
+    if (!body.heading || body.disc.radius * pixels_.scale >= kLeastBody) return;
+    const Vec2 at = pixels_(body.disc.center);
+    const Box inside{{0, 0}, {static_cast<double>(frame_.columns), 2.0 * frame_.rows}};
+    if (!inside.contains(at + Vec2(0.5, 0.5)) || !inside.contains(at)) return;
+    put(static_cast<int>(at.x()), static_cast<int>(at.y() / 2), arrow(*body.heading, frame_.mode), body.nose);
   }
 
  private:
@@ -69,6 +92,11 @@ class Lettering {
     for (int i = std::max(0, first - 1); i < std::min(frame_.columns, first + length + 1); ++i)
       if (taken_[index(i, row)]) return true;
     return false;
+  }
+
+  bool covers(Mark mark, int first, int length, int row) const {
+    const auto begin = shown_.begin() + static_cast<std::ptrdiff_t>(index(first, row));
+    return std::any_of(begin, begin + length, [&](Mark below) { return below > mark; });
   }
 
   void put(int column, int row, char32_t code, Color ink) {
@@ -85,7 +113,8 @@ class Lettering {
   }
 
   Frame& frame_;
-  const Viewport& pixels_;  ///< from metres to half characters
+  const Viewport& pixels_;   ///< from metres to half characters
+  std::vector<Mark> shown_;  ///< highest mark in each cell
   std::vector<bool> taken_;
 };
 
@@ -97,25 +126,33 @@ Canvas sampled(const DrawList& list, const Frame& frame, Viewport pixels) {
   Canvas canvas = blank_canvas(pixels, frame.columns * kSamples, frame.rows * 2 * kSamples, list.background);
   canvas.smooth = false;
   canvas.lettered = false;
+  canvas.least_body = kLeastBody * kSamples;
   canvas.least_width = frame.mode == TerminalMode::ascii ? 2 : kSamples;
   paint(canvas, list);
   return canvas;
 }
 
-void fill_ascii(Frame& frame, const Canvas& canvas, Color background) {
+/// Fills in the glyphs and returns the highest mark in each.
+std::vector<Mark> fill_ascii(Frame& frame, const Canvas& canvas, Color background) {
   const auto pools = pooled(canvas, kSamples, 2 * kSamples);
-  for (std::size_t i = 0; i < pools.size(); ++i) frame.glyphs[i] = ascii_glyph(pools[i], background);
+  std::vector<Mark> shown;
+  for (std::size_t i = 0; i < pools.size(); ++i) {
+    frame.glyphs[i] = ascii_glyph(pools[i], background);
+    shown.push_back(pools[i].mark);
+  }
+  return shown;
 }
 
-void fill_half_blocks(Frame& frame, const Canvas& canvas) {
+std::vector<Mark> fill_half_blocks(Frame& frame, const Canvas& canvas) {
   const auto pools = pooled(canvas, kSamples, kSamples);
-  for (int row = 0; row < frame.rows; ++row)
-    for (int column = 0; column < frame.columns; ++column) {
-      const std::size_t upper = static_cast<std::size_t>(2 * row) * static_cast<std::size_t>(frame.columns) +
-                                static_cast<std::size_t>(column);
-      frame.at(column, row) =
-          half_block(pools[upper].color, pools[upper + static_cast<std::size_t>(frame.columns)].color);
-    }
+  const auto columns = static_cast<std::size_t>(frame.columns);
+  std::vector<Mark> shown;
+  for (std::size_t i = 0; i < frame.glyphs.size(); ++i) {
+    const std::size_t upper = 2 * (i / columns) * columns + i % columns;
+    frame.glyphs[i] = half_block(pools[upper].color, pools[upper + columns].color);
+    shown.push_back(std::max(pools[upper].mark, pools[upper + columns].mark));
+  }
+  return shown;
 }
 
 }  // namespace
@@ -129,13 +166,13 @@ Frame terminal_frame(const DrawList& list, const TerminalSize& size, TerminalMod
   frame.rows = std::clamp(static_cast<int>(std::ceil(0.5 * pixels.height - 1e-6)), 1, size.rows);
   frame.glyphs.resize(static_cast<std::size_t>(frame.columns) * static_cast<std::size_t>(frame.rows));
   const Canvas canvas = sampled(list, frame, pixels);
-  if (mode == TerminalMode::ascii)
-    fill_ascii(frame, canvas, list.background);
-  else
-    fill_half_blocks(frame, canvas);
-  Lettering lettering(frame, pixels);
-  for (const DrawItem* item : painting_order(list))
+  const bool plain = mode == TerminalMode::ascii;
+  Lettering lettering(frame, plain ? fill_ascii(frame, canvas, list.background) : fill_half_blocks(frame, canvas),
+                      pixels);
+  for (const DrawItem* item : painting_order(list)) {
     if (const DrawText* text = std::get_if<DrawText>(item)) lettering.write(*text);
+    if (const DrawBody* body = std::get_if<DrawBody>(item)) lettering.write(*body);
+  }
   return frame;
 }
 
@@ -170,7 +207,7 @@ std::string legend(const DrawList& list) {
   }
   std::string line;
   for (const Mark mark : marks)
-    if (symbol(mark).sign != ' ')
+    if (*symbol(mark).name)
       line += fmt::format("{}{} {}", line.empty() ? "" : "   ", symbol(mark).sign, symbol(mark).name);
   return line;
 }

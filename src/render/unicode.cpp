@@ -63,7 +63,7 @@ bool is_control(char32_t code) {
 
 bool is_narrow(char32_t code) {
   if (code < 0x7F) return code >= 0x20;
-  if (code >= 0x2500 && code <= 0x259F) return true;
+  if ((code >= 0x2190 && code <= 0x2199) || (code >= 0x2500 && code <= 0x259F)) return true;
   const bool combining = (code >= 0x300 && code <= 0x36F) || (code >= 0x483 && code <= 0x489);
   return code >= 0xA1 && code <= 0x52F && code != 0xAD && !combining;
 }

@@ -16,7 +16,8 @@ void append_utf8(std::string& text, char32_t code);
 /// Control characters, separators that break lines, direction overrides and non-characters: nothing a picture shows.
 bool is_control(char32_t code);
 
-/// Takes one column on every terminal (Latin, Greek, Cyrillic, box and block drawing). Others may be wide or combine.
+/// Takes one column on every terminal (Latin, Greek, Cyrillic, arrows, box and block drawing). Others may be wide or
+/// combine.
 bool is_narrow(char32_t code);
 
 }  // namespace meander

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "render/svg.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <locale>
+#include <regex>
+
+#include "base/error.hpp"
+#include "base/random.hpp"
+#include "render/merge_cells.hpp"
+
+namespace meander {
+namespace {
+
+/// What is wrong with the XML, or nothing: elements nest, attributes are quoted and unique, references are known.
+std::string xml_fault(const std::string& xml) {
+  static const std::regex tag(R"re(<(/?)([a-z]+)((?: [a-zA-Z\-]+="[^"<]*")*)(/?)>)re", std::regex::optimize);
+  std::vector<std::string> open;
+  std::size_t at = 0;
+  while (at < xml.size()) {
+    if (xml[at] == '<') {
+      std::smatch match;
+      const std::string rest = xml.substr(at, xml.find('>', at) + 1 - at);
+      if (!std::regex_match(rest, match, tag)) return "bad tag: " + rest.substr(0, 80);
+      if (match[1].length() > 0) {
+        if (open.empty() || open.back() != match[2]) return "unbalanced: " + rest;
+        open.pop_back();
+      } else if (match[4].length() == 0) {
+        open.push_back(match[2]);
+      }
+      at += rest.size();
+    } else {
+      if (xml[at] == '>' || (static_cast<unsigned char>(xml[at]) < 0x20 && xml[at] != '\n')) return "bad character";
+      if (xml[at] == '&' &&
+          !std::regex_search(xml.begin() + static_cast<std::ptrdiff_t>(at), xml.end(),
+                             std::regex("^&(amp|lt|gt|quot);"), std::regex_constants::match_continuous))
+        return "bad reference";
+      ++at;
+    }
+  }
+  return open.empty() ? "" : "not closed: " + open.back();
+}
+
+DrawList random_list(Stream& random) {
+  const auto point = [&] { return Vec2(random.uniform(-20, 20), random.uniform(-20, 20)); };
+  const auto color = [&] {
+    return Color{static_cast<std::uint8_t>(random.below(256)), 0, 9, static_cast<std::uint8_t>(random.below(256))};
+  };
+  DrawList list;
+  list.view = {{-10, -10}, {10, 5}};
+  for (int i = random.below(20); i > 0; --i) {
+    const double size = random.uniform(-1, 8);
+    switch (random.below(6)) {
+      case 0:
+        list.items.push_back(DrawPolyline{{point(), point(), point()}, random.chance(0.5), size, color()});
+        break;
+      case 1:
+        list.items.push_back(DrawArea{{{point(), point(), point(), point()}, {}}, color()});
+        break;
+      case 2:
+        list.items.push_back(DrawDisc{{point(), size * 10}, color(), Mark::wall, random.chance(0.5) ? 0 : 0.2});
+        break;
+      case 3:
+        list.items.push_back(DrawText{point(), "a<b>&\"\x01\xff", size, color(), color(), Align::center});
+        break;
+      case 4:
+        list.items.push_back(DrawBody{{point(), size}, random.uniform(-9, 9), color(), color()});
+        break;
+      default:
+        list.items.push_back(DrawCells{{1, 2, random.uniform(-3, 3)}, 0.5, 2, 1, {color(), color()}, {}});
+    }
+  }
+  return list;
+}
+
+TEST(Svg, AnyListIsWellFormedAndRepeatable) {
+  Stream random(1, "svg");
+  for (int round = 0; round < 200; ++round) {
+    const DrawList list = random_list(random);
+    const std::string text = svg(list);
+    ASSERT_EQ(xml_fault(text), "") << text;
+    ASSERT_EQ(text, svg(list));
+    ASSERT_EQ(text.find("nan"), std::string::npos);
+    ASSERT_EQ(text.find("inf"), std::string::npos);
+  }
+}
+
+TEST(Svg, ASmallPictureIsThis) {
+  DrawList list;
+  list.view = {{0, 0}, {10, 5}};
+  list.items.push_back(DrawPolyline{{{1, 1}, {2, 1}, {2, 3.5}}, false, 0.1, {1, 2, 3}, Mark::path});
+  list.items.push_back(DrawDisc{{{5, 2.5}, 1}, {255, 0, 0, 128}, Mark::wall});
+  list.items.push_back(DrawText{{1, 4}, "A & B", 0.36, {0, 0, 0}});
+  EXPECT_EQ(svg(list),
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1000\" height=\"500\" viewBox=\"0 0 1000 500\" "
+            "stroke-linecap=\"round\" stroke-linejoin=\"round\" fill-rule=\"evenodd\" "
+            "font-family=\"system-ui,sans-serif\">\n"
+            "<rect width=\"1000\" height=\"500\" fill=\"#ffffff\"/>\n"
+            "<circle cx=\"500\" cy=\"250\" r=\"100\" fill=\"#ff0000\" fill-opacity=\".5\"/>\n"
+            "<path d=\"M100 400l100 0 0-250\" fill=\"none\" stroke=\"#010203\" stroke-width=\"10\"/>\n"
+            "<text x=\"100\" y=\"100\" font-size=\"50\" fill=\"#000000\">A &amp; B</text>\n"
+            "</svg>\n");
+}
+
+TEST(Svg, StepsAddUpWithoutDrift) {
+  DrawList list;
+  list.view = {{0, 0}, {1, 1}};
+  DrawPolyline line{{}, false, 0, {}, Mark::path};
+  for (int i = 0; i <= 3000; ++i) line.points.emplace_back(i / 3000.0, 0.5);
+  list.items.push_back(line);
+  const std::string text = svg(list);
+  const std::size_t from = text.find("l"), to = text.find('"', text.find("M0 500l"));
+  double x = 0;
+  const std::string steps = text.substr(text.find("M0 500l") + 7, to - text.find("M0 500l") - 7);
+  static const std::regex pair(R"(([.\d]+) 0)");
+  for (std::sregex_iterator it(steps.begin(), steps.end(), pair), end; it != end; ++it) x += std::stod((*it)[1]);
+  EXPECT_NE(from, std::string::npos);
+  EXPECT_NEAR(x, 1000, 1e-6);
+}
+
+struct CommaLocale : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(Svg, TheLocaleHasNoSay) {
+  Stream random(5, "locale");
+  const DrawList list = random_list(random);
+  const std::string plain = svg(list);
+  const std::locale before = std::locale::global(std::locale(std::locale(), new CommaLocale));
+  const std::string german = svg(list);
+  std::locale::global(before);
+  EXPECT_EQ(plain, german);
+}
+
+TEST(Svg, UnusableItemsAreLeftOutAndUnusableViewsRefused) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  DrawList list;
+  const std::string empty = svg(list);
+  list.items.push_back(DrawPolyline{{{0, 0}, {kNan, 1}}, false, 0, {}});
+  list.items.push_back(DrawPolyline{{{0, 0}}, false, 0, {}});
+  list.items.push_back(DrawArea{{{{0, 0}, {1, 0}, {1e300, 1}}, {}}, {}});
+  list.items.push_back(DrawDisc{{{0, 0}, kNan}, {}});
+  list.items.push_back(DrawText{{0, 0}, "", 1, {}});
+  list.items.push_back(DrawCells{{}, 1, 3, 3, {Color{}}, {}});
+  list.items.push_back(DrawBody{{{0, 0}, 1}, kNan, {}, {}});
+  EXPECT_EQ(svg(list), empty);
+  list.view.high.x() = kNan;
+  EXPECT_THROW(svg(list), ArgumentError);
+  list.view = {{1, 1}, {0, 0}};
+  EXPECT_THROW(svg(list), ArgumentError);
+  list.view = {{-1e300, 0}, {1e300, 1}};
+  EXPECT_THROW(svg(list), ArgumentError);
+}
+
+TEST(Svg, AViewWithoutAreaStillGivesAPicture) {
+  DrawList list;
+  list.view = {{3, 3}, {3, 3}};
+  EXPECT_EQ(xml_fault(svg(list)), "");
+  list.view = {{0, 0}, {1000, 0}};
+  EXPECT_EQ(xml_fault(svg(list)), "");
+}
+
+TEST(Svg, HugeCoordinatesAreCutNearThePicture) {
+  DrawList list;
+  list.view = {{0, 0}, {1, 1}};
+  list.items.push_back(DrawPolyline{{{-1e11, 0.5}, {1e11, 0.5}}, false, 0, {255, 0, 0}});
+  list.items.push_back(DrawArea{{{{-1e11, -1e11}, {1e11, -1e11}, {0, 1e11}}, {}}, {255, 0, 0}});
+  list.items.push_back(DrawDisc{{{0, -1e11}, 1e11}, {255, 0, 0}});
+  const std::string text = svg(list);
+  EXPECT_FALSE(std::regex_search(text, std::regex("[0-9]{5}"))) << text;
+}
+
+TEST(MergedCells, CoverEveryVisibleCellOnce) {
+  Stream random(3, "cells");
+  for (int round = 0; round < 200; ++round) {
+    DrawCells cells{{}, 1, 1 + random.below(12), 1 + random.below(12), {}, {}};
+    for (int i = 0; i < cells.width * cells.height; ++i)
+      cells.colors.push_back(
+          {static_cast<std::uint8_t>(random.below(3)), 0, 0, static_cast<std::uint8_t>(random.chance(0.8) ? 255 : 0)});
+    std::vector<Color> covered(cells.colors.size(), Color{0, 0, 0, 0});
+    for (const CellGroup& group : merged_cells(cells))
+      for (const CellBlock& b : group.blocks)
+        for (int y = b.y; y < b.y + b.height; ++y)
+          for (int x = b.x; x < b.x + b.width; ++x) {
+            Color& cell = covered[static_cast<std::size_t>(y * cells.width + x)];
+            ASSERT_EQ(cell.a, 0);
+            cell = group.color;
+          }
+    for (std::size_t i = 0; i < covered.size(); ++i)
+      ASSERT_TRUE(cells.colors[i].a == 0 ? covered[i].a == 0 : covered[i] == cells.colors[i]);
+  }
+}
+
+TEST(MergedCells, AnEmptyMapIsOneBlock) {
+  const DrawCells cells{{}, 1, 50, 40, std::vector<Color>(2000), {}};
+  const auto groups = merged_cells(cells);
+  ASSERT_EQ(groups.size(), 1u);
+  EXPECT_EQ(groups[0].blocks.size(), 1u);
+}
+
+}  // namespace
+}  // namespace meander
