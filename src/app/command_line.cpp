@@ -48,7 +48,8 @@ std::optional<int> take_script(const CLI::App& app, std::vector<std::string> res
   if (rest.empty()) return std::nullopt;
   if (!separated && rest[0].size() > 1 && rest[0][0] == '-') {
     const std::string name = rest[0].substr(0, rest[0].find('='));
-    return usage_error(fmt::format("unknown option '{}'{}", name, did_you_mean(name, option_names(app))));
+    const std::string hint = name.size() > 2 ? did_you_mean(name, option_names(app)) : std::string();
+    return usage_error(fmt::format("unknown option '{}'{}", name, hint));
   }
   line.script = rest[0];
   line.arguments.assign(rest.begin() + 1, rest.end());

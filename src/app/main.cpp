@@ -32,7 +32,10 @@ int exit_code(const Outcome& outcome) {
 }
 
 int report(const Outcome& outcome) {
-  if (!outcome.done()) complain(script::text_of(outcome));
+  if (outcome.kind == Outcome::Kind::interrupted)
+    complain(outcome.message.empty() ? "interrupted" : outcome.message);
+  else if (!outcome.done())
+    complain(script::text_of(outcome));
   return exit_code(outcome);
 }
 

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "app/output.hpp"
 
-#include <fmt/format.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -34,7 +34,8 @@ void check_output() {
   _exit(kExitScriptError);
 }
 
-/// A descriptor that is closed at the start would be given to the first file that is opened, and results would go there.
+/// A descriptor that is closed at the start would be given to the first file that is opened, and results would go
+/// there.
 void keep_standard_descriptors() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(descriptor, F_GETFD) < 0) open("/dev/null", O_RDWR);

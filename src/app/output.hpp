@@ -5,8 +5,9 @@
 
 namespace meander {
 
-/// From here on: at the end of the process, however it ends, results that could not be written (a full disk) are an error
-/// and the exit code says so. A reader that went away ("| head") is none, nor is a standard output that was closed before.
+/// From here on: at the end of the process, however it ends, results that could not be written (a full disk) are an
+/// error and the exit code says so. A reader that went away ("| head") is none, nor is a standard output that was
+/// closed before.
 void guard_output();
 
 /// "meander: text" on stderr, behind everything written to stdout before.

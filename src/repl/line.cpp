@@ -103,9 +103,10 @@ bool act_on_signals() {
     if (take_signal(signal)) obey(signal);
   if (!take_signal(SIGINT)) return false;
   rl_callback_sigcleanup();
+  std::fputs("^C", rl_outstream);
   rl_free_line_state();
   rl_callback_handler_remove();
-  std::fputs("^C\n", rl_outstream);
+  std::fputc('\n', rl_outstream);
   return true;
 }
 

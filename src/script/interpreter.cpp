@@ -112,10 +112,12 @@ int Interpreter::push_arguments() {
   return count;
 }
 
-Outcome Interpreter::load_failure() {
+Outcome Interpreter::load_failure(const std::string& path) {
   Outcome outcome;
   outcome.kind = Outcome::Kind::failed;
   outcome.message = pop_text(L_);
+  if (outcome.message.starts_with("attempt to load a binary"))
+    outcome.message = path + ": compiled Lua; scripts are texts";
   return outcome;
 }
 
@@ -139,7 +141,7 @@ Outcome Interpreter::run_loaded(int arguments, bool echo) {
 Outcome Interpreter::run_main(const std::string& path) {
   const std::string folder = std::filesystem::path(path).parent_path().string();
   set_module_folder(L_, folder.empty() ? "." : folder);
-  if (luaL_loadfilex(L_, path.c_str(), "t") != LUA_OK) return load_failure();
+  if (luaL_loadfilex(L_, path.c_str(), "t") != LUA_OK) return load_failure(path);
   return run_loaded(push_arguments());
 }
 
@@ -149,7 +151,7 @@ Outcome Interpreter::run_input() {
 }
 
 Outcome Interpreter::run_file(const std::string& path) {
-  if (luaL_loadfilex(L_, path.c_str(), "t") != LUA_OK) return load_failure();
+  if (luaL_loadfilex(L_, path.c_str(), "t") != LUA_OK) return load_failure(path);
   return run_loaded(0);
 }
 
@@ -168,11 +170,12 @@ Outcome Interpreter::load_module(const std::string& module) {
 }
 
 bool Interpreter::incomplete(const std::string& text) const {
-  for (const std::string& form : {text, "return " + text}) {
+  bool open = false;
+  for (const std::string& form : {"return " + text, text}) {
     if (luaL_loadbufferx(L_, form.data(), form.size(), kPromptChunk, "t") == LUA_OK) return lua_pop(L_, 1), false;
-    if (ends_in_eof(L_)) return true;
+    open = ends_in_eof(L_) || open;
   }
-  return false;
+  return open;
 }
 
 Outcome Interpreter::evaluate(const std::string& text) {

@@ -58,7 +58,7 @@ class Interpreter {
  private:
   bool load(const std::string& code, const char* chunk);
   Outcome run_loaded(int arguments, bool echo = false);
-  Outcome load_failure();
+  Outcome load_failure(const std::string& path = "input");
   int push_arguments();
 
   Session session_;

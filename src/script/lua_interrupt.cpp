@@ -61,11 +61,14 @@ void on_interrupt(int signal) {
 void install() {
   main_thread = pthread_self();
   terminal_known = tcgetattr(STDIN_FILENO, &terminal_at_start) == 0;
+  installed = true;
   struct sigaction action {};
+  sigaction(SIGINT, nullptr, &action);
+  if (action.sa_handler == SIG_IGN) return;  // started in the background: Ctrl-C is meant for others
+  action = {};
   action.sa_handler = on_interrupt;  // without SA_RESTART: a read that blocks returns
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
-  installed = true;
 }
 
 }  // namespace
@@ -87,7 +90,9 @@ InterruptScope::~InterruptScope() {
 }
 
 void release_interrupt_signal() {
-  if (installed) std::signal(SIGINT, SIG_DFL);
+  struct sigaction action {};
+  sigaction(SIGINT, nullptr, &action);
+  if (action.sa_handler == on_interrupt) std::signal(SIGINT, SIG_DFL);
   installed = false;
 }
 

@@ -47,11 +47,16 @@ void add_visible_locals(lua_State* L, std::vector<std::string>& names) {
 }
 
 /// What to say behind "undeclared variable 'x'".
-std::string advice(lua_State* L, const std::string& name) {
-  lua_getglobal(L, "meander");
-  const bool is_module = lua_istable(L, -1) && (lua_pushstring(L, name.c_str()), lua_rawget(L, -2) != LUA_TNIL);
-  if (is_module) return "; did you mean 'meander." + name + "'?";
+std::string advice(lua_State* L, const std::string& name, Place place) {
   std::vector<std::string> names;
+  lua_getglobal(L, "meander");
+  if (lua_istable(L, -1)) {
+    lua_pushstring(L, name.c_str());
+    if (lua_rawget(L, -2) != LUA_TNIL) return "; did you mean 'meander." + name + "'?";
+    lua_pop(L, 1);
+    if (place == Place::prompt) add_string_keys(L, -1, names);
+  }
+  if (name.size() == 1) return {};  // every other letter is as near
   add_visible_locals(L, names);
   lua_pushglobaltable(L);
   add_string_keys(L, -1, names);
@@ -79,7 +84,7 @@ int read_undeclared(lua_State* L) {
   if (place == Place::prompt && push_module(L, 2)) return 1;
   if (place == Place::host || lua_type(L, 2) != LUA_TSTRING) return 0;
   const std::string name = lua_tostring(L, 2);
-  return luaL_error(L, "undeclared variable '%s'%s", name.c_str(), advice(L, name).c_str());
+  return luaL_error(L, "undeclared variable '%s'%s", name.c_str(), advice(L, name, place).c_str());
 }
 
 int assign_undeclared(lua_State* L) {

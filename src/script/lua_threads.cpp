@@ -5,6 +5,7 @@
 
 #include "script/lua_interrupt.hpp"
 #include "script/lua_setup.hpp"
+#include "script/session.hpp"
 
 namespace meander::script {
 namespace {
@@ -71,7 +72,8 @@ int resume_wrapped(lua_State* L) {
     close_thread(L, thread);
     lua_xmove(thread, L, 1);
   }
-  if (status != LUA_ERRMEM && lua_type(L, -1) == LUA_TSTRING) {
+  const bool interrupted = session(L).stop.requested();
+  if (!interrupted && status != LUA_ERRMEM && lua_type(L, -1) == LUA_TSTRING) {
     luaL_where(L, 1);
     lua_insert(L, -2);
     lua_concat(L, 2);

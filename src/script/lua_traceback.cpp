@@ -20,11 +20,23 @@ bool of_a_script(const lua_Debug& frame) {
   return *frame.what != 'C' && !std::string_view(frame.source).starts_with("=[meander.");
 }
 
-std::string place_text(const lua_Debug& frame) {
+/// The name of a global function; Lua itself forgets it where the call is the last thing a function does.
+std::string global_name(lua_State* L, lua_Debug& frame) {
+  std::string name;
+  lua_getinfo(L, "f", &frame);
+  lua_pushglobaltable(L);
+  for (lua_pushnil(L); name.empty() && lua_next(L, -2); lua_pop(L, 1))
+    if (lua_rawequal(L, -1, -4) && lua_type(L, -2) == LUA_TSTRING) name = lua_tostring(L, -2);
+  lua_settop(L, lua_gettop(L) - (name.empty() ? 2 : 3));
+  return name;
+}
+
+std::string place_text(lua_State* L, lua_Debug& frame) {
   if (std::strcmp(frame.what, "main") == 0) return "at top level";
-  if (!frame.name) return fmt::format("in the function of line {}", frame.linedefined);
+  const std::string name = frame.name ? frame.name : global_name(L, frame);
+  if (name.empty()) return fmt::format("in the function of line {}", frame.linedefined);
   const bool method = std::strcmp(frame.namewhat, "method") == 0;
-  return fmt::format("in {} '{}'", method ? "method" : "function", frame.name);
+  return fmt::format("in {} '{}'", method ? "method" : "function", name);
 }
 
 /// Asking for level n costs n steps in Lua: a deep stack is measured by bisection and only its ends are looked at.
@@ -47,7 +59,7 @@ void add_frames(lua_State* L, int from, int to, std::vector<std::string>& frames
   for (int level = from; level < to && lua_getstack(L, level, &frame); ++level) {
     lua_getinfo(L, "Sln", &frame);
     if (of_a_script(frame))
-      frames.push_back(fmt::format("{}:{}: {}", frame.short_src, frame.currentline, place_text(frame)));
+      frames.push_back(fmt::format("{}:{}: {}", frame.short_src, frame.currentline, place_text(L, frame)));
   }
 }
 
