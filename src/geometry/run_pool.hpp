@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace meander {
@@ -22,8 +23,7 @@ class RunPool {
  public:
   T* begin(const Run& run) { return items_.data() + run.first; }
   T* end(const Run& run) { return begin(run) + run.count; }
-  const T* begin(const Run& run) const { return items_.data() + run.first; }
-  const T* end(const Run& run) const { return begin(run) + run.count; }
+  std::span<const T> items(const Run& run) const { return {items_.data() + run.first, run.count}; }
   T& operator[](std::uint32_t index) { return items_[index]; }
   const T& operator[](std::uint32_t index) const { return items_[index]; }
   const T* data() const { return items_.data(); }

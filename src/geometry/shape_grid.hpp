@@ -27,7 +27,7 @@ class ShapeGrid {
   /// Adds `sign` to the depth of every cell whose centre is inside the ring of walls.
   void cover(std::span<const Wall> walls, const Box& box, int sign);
 
-  void cast(NearestHit& nearest, const Wall* walls, const Vec2& origin, const Vec2& direction) const;
+  NearestHit cast(NearestHit nearest, const Wall* walls, const Vec2& origin, const Vec2& direction) const;
   double distance(const Wall* walls, const Vec2& point, double most) const;
   bool inside(const Wall* walls, const Vec2& point) const;
   /// Calls wall(id) and pole(owner) for all that the cells around the disc hold, for some of them repeatedly.
@@ -38,7 +38,7 @@ class ShapeGrid {
       for (int column = frame_.nearest_column(center.x() - radius); column <= right; ++column) {
         const Cell& cell = cell_at(column, row);
         for_each_wall(cell, wall);
-        for (const PoleCopy* p = poles_.begin(cell.poles); p != poles_.end(cell.poles); ++p) pole(p->owner);
+        for (const PoleCopy& copy : poles_.items(cell.poles)) pole(copy.owner);
       }
   }
 
@@ -46,6 +46,7 @@ class ShapeGrid {
   /// Four floats: a vector that every 64-bit processor has. Wider types than the processor's own are slow.
   using Lanes [[gnu::vector_size(16)]] = float;
   static constexpr std::size_t kLanes = 4;
+  static Lanes lanes(double x);
   static constexpr std::uint32_t kNoWall = ~0u;
 
   /// Parts of four walls, from (ax, ay) to (bx, by) from the cell's corner. Unused lanes are NaN, which no test
@@ -65,8 +66,8 @@ class ShapeGrid {
 
   template <class Visit>
   void for_each_wall(const Cell& cell, Visit visit) const {
-    for (const WallBlock *block = blocks_.begin(cell.walls), *end = blocks_.end(cell.walls); block != end; ++block)
-      for (const std::uint32_t id : block->id)
+    for (const WallBlock& block : blocks_.items(cell.walls))
+      for (const std::uint32_t id : block.id)
         if (id != kNoWall) visit(id);
   }
   static bool empty(const Cell& cell) { return cell.walls.count == 0 && cell.poles.count == 0; }

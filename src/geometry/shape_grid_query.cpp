@@ -28,7 +28,9 @@ double finite_reciprocal(double x) { return std::abs(x) < 1e-200 ? std::copysign
 
 }  // namespace
 
-void ShapeGrid::cast(NearestHit& nearest, const Wall* walls, const Vec2& origin, const Vec2& direction) const {
+ShapeGrid::Lanes ShapeGrid::lanes(double x) { return Lanes{} + static_cast<float>(x); }
+
+NearestHit ShapeGrid::cast(NearestHit nearest, const Wall* walls, const Vec2& origin, const Vec2& direction) const {
   const Vec2 per_metre(finite_reciprocal(direction.x()), finite_reciprocal(direction.y()));
   // All pieces keep a cell away from the rim, so the ray may be cut there, and overshooting a little stays in the grid.
   const Vec2 margin(frame_.side, frame_.side);
@@ -36,7 +38,7 @@ void ShapeGrid::cast(NearestHit& nearest, const Wall* walls, const Vec2& origin,
   const Vec2 t_high = (frame_.high() - margin - origin).cwiseProduct(per_metre);
   const double enter = std::max(0.0, t_low.cwiseMin(t_high).maxCoeff());
   const double leave = t_low.cwiseMax(t_high).minCoeff();
-  if (!(enter <= std::min(leave, nearest.range()))) return;
+  if (!(enter <= std::min(leave, nearest.range()))) return nearest;
 
   const Vec2 start = origin + enter * direction;
   const int column = frame_.nearest_column(start.x()), row = frame_.nearest_row(start.y());
@@ -51,22 +53,21 @@ void ShapeGrid::cast(NearestHit& nearest, const Wall* walls, const Vec2& origin,
   double offset = cross(direction, origin - corner);
   const double shift[2] = {right ? frame_.side * direction.y() : -frame_.side * direction.y(),
                            up ? -frame_.side * direction.x() : frame_.side * direction.x()};
-  const float ux = static_cast<float>(direction.x()), uy = static_cast<float>(direction.y());
-  // Both distances from the line are within a cell's diagonal and rounded by less than 1e-6 of it.
-  const float slack = static_cast<float>(4e-6 * frame_.side * frame_.side);
+  const Lanes ux = lanes(direction.x()), uy = lanes(direction.y());
+  // Both ends' distances from the line are within a cell's diagonal and rounded by less than 1e-6 of it.
+  const Lanes slack = lanes(4e-6 * frame_.side * frame_.side);
   for (const Cell* cell = &cell_at(column, row);;) {
-    const float c = static_cast<float>(offset);
-    for (const WallBlock *block = blocks_.begin(cell->walls), *end = blocks_.end(cell->walls); block != end; ++block) {
-      const Lanes side_a = ux * block->ay - uy * block->ax - c, side_b = ux * block->by - uy * block->bx - c;
+    const Lanes c = lanes(offset);
+    for (const WallBlock& block : blocks_.items(cell->walls)) {
+      const Lanes side_a = ux * block.ay - uy * block.ax - c, side_b = ux * block.by - uy * block.bx - c;
       for (unsigned hits = bits(side_a * side_b <= slack); hits != 0; hits &= hits - 1) {
-        const Wall& wall = walls[block->id[std::countr_zero(hits)]];
+        const Wall& wall = walls[block.id[std::countr_zero(hits)]];
         nearest.meet_wall(wall.a - origin, wall.b - origin, wall.owner);
       }
     }
-    for (const PoleCopy *pole = poles_.begin(cell->poles), *end = poles_.end(cell->poles); pole != end; ++pole)
-      nearest.meet_pole(pole->disc, pole->owner);
+    for (const PoleCopy& pole : poles_.items(cell->poles)) nearest.meet_pole(pole.disc, pole.owner);
     const bool axis = next[1] < next[0];  // an index, because a branch here would be guessed wrong half the time
-    if (next[axis] >= std::min(nearest.range(), leave)) return;
+    if (next[axis] >= std::min(nearest.range(), leave)) return nearest;
     cell += stride[axis];
     next[axis] += delta[axis];
     offset += shift[axis];
@@ -77,8 +78,8 @@ double ShapeGrid::squared_distance(const Cell& cell, const Wall* walls, const Ve
   for_each_wall(cell, [&](std::uint32_t id) {
     best = std::min(best, squared_distance_to_segment(point, walls[id].a, walls[id].b));
   });
-  for (const PoleCopy *pole = poles_.begin(cell.poles), *end = poles_.end(cell.poles); pole != end; ++pole) {
-    const double off = (pole->disc.center - point).norm() - pole->disc.radius;
+  for (const PoleCopy& pole : poles_.items(cell.poles)) {
+    const double off = (pole.disc.center - point).norm() - pole.disc.radius;
     best = std::min(best, off * off);
   }
   return best;
@@ -118,8 +119,8 @@ double ShapeGrid::distance(const Wall* walls, const Vec2& point, double most) co
 }
 
 bool ShapeGrid::touches_solid(const Cell& cell, const Wall* walls, const Vec2& point) const {
-  for (const PoleCopy *pole = poles_.begin(cell.poles), *end = poles_.end(cell.poles); pole != end; ++pole)
-    if ((point - pole->disc.center).norm() <= pole->disc.radius + kTouch) return true;
+  for (const PoleCopy& pole : poles_.items(cell.poles))
+    if ((point - pole.disc.center).norm() <= pole.disc.radius + kTouch) return true;
   bool touches = false;
   for_each_wall(cell, [&](std::uint32_t id) {
     const Wall& w = walls[id];

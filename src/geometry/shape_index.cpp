@@ -45,9 +45,7 @@ std::size_t ShapeIndex::wall_count() const { return state_->wall_count; }
 const Material& ShapeIndex::material(std::uint16_t index) const { return state_->materials.at(index); }
 
 std::optional<RayHit> ShapeIndex::cast(const Vec2& origin, const Vec2& direction, double max_range) const {
-  NearestHit nearest(origin, direction, max_range);
-  state_->grid.cast(nearest, state_->walls.data(), origin, direction);
-  return nearest.hit();
+  return state_->grid.cast({origin, direction, max_range}, state_->walls.data(), origin, direction).hit();
 }
 
 double ShapeIndex::distance(const Vec2& point, double most) const {

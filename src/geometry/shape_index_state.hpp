@@ -25,7 +25,7 @@ struct ShapeIndex::State {
 
   void insert(std::uint32_t slot, const Shape& shape, const Material& material);
   void remove(std::uint32_t slot);
-  std::span<const Wall> walls_of(const Owner& owner) const { return {walls.begin(owner.walls), owner.walls.count}; }
+  std::span<const Wall> walls_of(const Owner& owner) const { return walls.items(owner.walls); }
 
   double finest;  ///< side of the cells while memory allows [m]
   std::vector<Owner> owners;

@@ -4,110 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-
-#include "base/random.hpp"
-#include "geometry/segment.hpp"
+#include "geometry_brute_force.hpp"
 
 namespace meander {
 namespace {
 
-using Shapes = std::map<std::uint32_t, Shape>;
-
-/// All edges of a shape as pairs of points, taken from the public rings.
-std::vector<std::pair<Vec2, Vec2>> edges(const Shape& shape) {
-  std::vector<std::pair<Vec2, Vec2>> all;
-  for (const Ring& ring : rings(shape))
-    for (std::size_t i = 0; i + (ring.closed ? 0 : 1) < ring.points.size(); ++i)
-      all.emplace_back(ring.points[i], ring.points[(i + 1) % ring.points.size()]);
-  return all;
-}
-
-/// Range to a segment by Cramer's rule in extended precision; parallel rays meet the nearer end.
-double segment_range(const Vec2& o, const Vec2& u, const Vec2& a, const Vec2& b) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  const long double dx = static_cast<long double>(b.x()) - a.x(), dy = static_cast<long double>(b.y()) - a.y();
-  const long double ex = static_cast<long double>(a.x()) - o.x(), ey = static_cast<long double>(a.y()) - o.y();
-  const long double across = u.x() * dy - u.y() * dx;
-  if (across == 0) {
-    if (u.x() * ey - u.y() * ex != 0) return kNone;
-    const double s = u.dot(a - o), t = u.dot(b - o);
-    if (std::max(s, t) < 0) return kNone;
-    return std::max(0.0, std::min(s, t));
-  }
-  const long double range = (ex * dy - ey * dx) / across, t = (ex * u.y() - ey * u.x()) / across;
-  return range >= 0 && t >= 0 && t <= 1 ? static_cast<double>(range) : kNone;
-}
-
-double disc_range(const Vec2& o, const Vec2& u, const Disc& disc) {
-  const Vec2 c = disc.center - o;
-  const double b = c.dot(u), q = b * b - c.squaredNorm() + disc.radius * disc.radius;
-  if (q < 0) return std::numeric_limits<double>::infinity();
-  for (const double range : {b - std::sqrt(q), b + std::sqrt(q)})
-    if (range >= 0) return range;
-  return std::numeric_limits<double>::infinity();
-}
-
-double brute_range(const Shapes& shapes, const Vec2& o, const Vec2& u, double max_range) {
-  double best = std::numeric_limits<double>::infinity();
-  for (const auto& [owner, shape] : shapes) {
-    for (const auto& [a, b] : edges(shape)) best = std::min(best, segment_range(o, u, a, b));
-    if (const auto* disc = std::get_if<Disc>(&shape)) best = std::min(best, disc_range(o, u, *disc));
-  }
-  return best <= max_range ? best : std::numeric_limits<double>::infinity();
-}
-
-double brute_distance(const Shapes& shapes, const Vec2& p, double most) {
-  double best = most;
-  for (const auto& [owner, shape] : shapes) {
-    for (const auto& [a, b] : edges(shape)) best = std::min(best, distance_to_segment(p, a, b));
-    if (const auto* disc = std::get_if<Disc>(&shape))
-      best = std::min(best, std::abs((p - disc->center).norm() - disc->radius));
-  }
-  return best;
-}
-
-bool brute_inside(const Shapes& shapes, const Vec2& p) {
-  for (const auto& [owner, shape] : shapes)
-    if (contains(shape, p)) return true;
-  return false;
-}
-
-Vec2 random_point(Stream& random, double reach) {
-  return {random.uniform(-reach, reach), random.uniform(-reach, reach)};
-}
-
-Vec2 direction(double angle) {
-  const SinCos t = sin_cos(angle);
-  return {t.cos, t.sin};
-}
-
-std::vector<Vec2> star(Stream& random, int count, double least, double most) {
-  std::vector<Vec2> ring;
-  for (int i = 0; i < count; ++i)
-    ring.push_back(random.uniform(least, most) * direction((i + random.uniform(0.1, 0.9)) * 2 * kPi / count));
-  if (random.chance(0.5)) std::reverse(ring.begin(), ring.end());
-  return ring;
-}
-
-Shape random_shape(Stream& random, double reach, double size) {
-  const Vec2 at = random_point(random, reach);
-  switch (random.below(6)) {
-    case 0:
-      return moved(Chain{star(random, 3 + random.below(8), 0.1 * size, size), random.chance(0.5)}, at);
-    case 1:
-      return moved(
-          Polygon{star(random, 3 + random.below(20), 0.3 * size, size), {star(random, 5, 0.05 * size, 0.1 * size)}},
-          at);
-    case 2:
-      return Disc{at, random.uniform(0.01, 0.5) * size};
-    case 3:
-      return Rectangle{
-          at.array().round().matrix(), {1.0 + random.below(3), 1.0 + random.below(3)}, 0};  // on cell borders
-    default:
-      return Rectangle{at, {random.uniform(0.05, 1) * size, random.uniform(0.05, 1) * size}, random.uniform(-3, 3)};
-  }
-}
+using namespace brute_force;
 
 /// A place where something special happens: on a vertex, an edge, a cell border, or just anywhere.
 Vec2 nasty_point(Stream& random, const Shapes& shapes, double reach) {
@@ -138,43 +40,57 @@ Vec2 nasty_direction(Stream& random) {
   }
 }
 
-void expect_like_brute_force(const ShapeIndex& index, const Shapes& shapes, Stream& random, double reach, int count) {
+/// How many of the questions were no mere "nothing there".
+struct Tally {
+  int hits = 0, inside = 0, near = 0;
+};
+
+/// May the two ranges differ by rounding? A ray that touches a vertex, runs along a wall or ends on one may go either
+/// way: then the nearer range must be of a point of some wall, and a ray a nanometre aside must find the other.
+bool equal_but_for_touching(const Shapes& shapes, const Vec2& p, const Vec2& u, double most, double found,
+                            double expected) {
+  if (found == expected || std::abs(found - expected) <= 1e-9) return true;
+  const double nearer = std::min(found, expected);
+  if (brute_distance(shapes, p + nearer * u, 1) > 1e-9) return false;
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  for (const double aside : {-1e-9, 0.0, 1e-9})
+    for (const double reach : {most - 1e-9, most, most + 1e-9}) {
+      const double range = brute_range(shapes, p + aside * left_of(u), u, reach);
+      low = std::min(low, range), high = std::max(high, range);
+    }
+  return nearer >= low - 1e-6 && std::max(found, expected) <= high + 1e-6;
+}
+
+void expect_like_brute_force(const ShapeIndex& index, const Shapes& shapes, Stream& random, double reach, int count,
+                             Tally& tally) {
   for (int i = 0; i < count; ++i) {
     const Vec2 p = nasty_point(random, shapes, reach), u = nasty_direction(random);
     const double most = random.chance(0.5) ? random.uniform(0.1, 8) : 10 * reach;
     const auto hit = index.cast(p, u, most);
-    const double expected = brute_range(shapes, p, u, most);
-    // A ray that just touches a vertex or the end of its range may go either way by rounding.
     const double found = hit ? hit->range : std::numeric_limits<double>::infinity();
-    if (std::abs(found - expected) > 1e-9 || std::isinf(found) != std::isinf(expected)) {
-      const auto touch = [&](double r) {
-        return std::isinf(r) ? std::abs(brute_distance(shapes, p + std::min(most, 1e3) * u, 1)) < 1e-9
-                             : brute_distance(shapes, p + r * u, 1) < 1e-9;
-      };
-      const Vec2 side = 1e-9 * left_of(u);
-      const double left = brute_range(shapes, p + side, u, most + 1e-8),
-                   right = brute_range(shapes, p - side, u, most + 1e-8);
-      const bool between = (found >= std::min(left, right) - 1e-6 && (found <= std::max(left, right) + 1e-6));
-      EXPECT_TRUE(between && touch(std::min(found, expected)))
-          << found << " expected " << expected << " at " << p.transpose() << " along " << u.transpose() << " most "
-          << most;
-    } else if (hit) {
-      EXPECT_LE((hit->point - p - hit->range * u).norm(), 1e-9);
-    }
-    EXPECT_NEAR(index.distance(p, most), brute_distance(shapes, p, most), 1e-9);
+    const double expected = brute_range(shapes, p, u, most);
+    EXPECT_TRUE(equal_but_for_touching(shapes, p, u, most, found, expected))
+        << found << " expected " << expected << " at " << p.transpose() << " along " << u.transpose() << " most "
+        << most;
+    EXPECT_TRUE(!hit || (hit->point - p - hit->range * u).norm() <= 1e-9);
+    const double distance = index.distance(p, most);
+    EXPECT_NEAR(distance, brute_distance(shapes, p, most), 1e-9);
     EXPECT_EQ(index.inside(p), brute_inside(shapes, p)) << p.transpose();
+    tally.hits += hit.has_value(), tally.near += distance < most, tally.inside += index.inside(p);
   }
 }
 
 TEST(ShapeIndex, AnswersLikeBruteForceWhileEdited) {
-  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+  Tally tally;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Stream random(seed, "worlds");
-    ShapeIndex index(random.chance(0.5) ? 1.0 : 2.0);
+    ShapeIndex index(random.uniform(0.3, 5));
     Shapes shapes;
     const double reach = random.uniform(2, 30), size = random.uniform(0.2, 8);
     for (int round = 0; round < 12; ++round) {
       for (int edit = 0; edit < 12; ++edit) {
         const auto owner = static_cast<std::uint32_t>(random.below(40));
+        EXPECT_EQ(index.has(owner), shapes.contains(owner));
         if (shapes.contains(owner)) {
           index.remove(owner);
           shapes.erase(owner);
@@ -183,9 +99,112 @@ TEST(ShapeIndex, AnswersLikeBruteForceWhileEdited) {
           index.insert(owner, shapes[owner]);
         }
       }
-      expect_like_brute_force(index, shapes, random, 1.5 * reach, 60);
+      expect_like_brute_force(index, shapes, random, 1.5 * reach, 60, tally);
     }
   }
+  EXPECT_GT(tally.hits, 10000);
+  EXPECT_GT(tally.inside, 3000);
+  EXPECT_GT(tally.near, 10000);
+}
+
+TEST(ShapeIndex, AnswersLikeBruteForceFarFromTheOrigin) {
+  Tally tally;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    Stream random(seed, "far");
+    const Vec2 there(random.uniform(-9e5, 9e5), random.uniform(-9e5, 9e5));
+    ShapeIndex index;
+    Shapes shapes;
+    for (std::uint32_t owner = 0; owner < 20; ++owner) {
+      shapes[owner] = moved(random_shape(random, 10, 4), there);
+      index.insert(owner, shapes[owner]);
+    }
+    for (int i = 0; i < 300; ++i) {
+      const Vec2 p = there + random_point(random, 15), u = direction(random.uniform(-4, 4));
+      const auto hit = index.cast(p, u, 20);
+      const double expected = brute_range(shapes, p, u, 20);
+      EXPECT_NEAR(hit ? hit->range : 30, std::min(30.0, expected), 1e-6);
+      EXPECT_NEAR(index.distance(p, 20), brute_distance(shapes, p, 20), 1e-8);
+      EXPECT_EQ(index.inside(p), brute_inside(shapes, p));
+    }
+  }
+}
+
+/// Every piece that touches a disc, in the order of owners and along their borders.
+std::vector<Vec2> gathered(const ShapeIndex& index, const Vec2& center, double radius) {
+  std::vector<Wall> walls;
+  std::vector<Pole> poles;
+  index.gather(center, radius, walls, poles);
+  std::vector<Vec2> flat;
+  for (const Wall& w : walls)
+    flat.insert(flat.end(), {w.a, w.b, Vec2(w.owner, w.convex_a + 2 * w.convex_b + 4 * w.solid)});
+  for (const Pole& p : poles) flat.insert(flat.end(), {p.disc.center, Vec2(p.owner, p.disc.radius)});
+  return flat;
+}
+
+TEST(ShapeIndex, GathersEachPieceOnceWhateverTheHistory) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Stream random(seed, "gather");
+    Shapes shapes;
+    for (std::uint32_t owner = 0; owner < 30; ++owner) shapes[owner] = random_shape(random, 10, 3);
+    ShapeIndex straight, troubled(2);
+    for (const auto& [owner, shape] : shapes) straight.insert(owner, shape);
+    for (int i = 0; i < 300; ++i) {
+      const auto owner = static_cast<std::uint32_t>(random.below(30));
+      if (troubled.has(owner))
+        troubled.remove(owner);
+      else
+        troubled.insert(owner, random_shape(random, 10, 3));
+    }
+    for (std::uint32_t owner = 30; owner-- > 0;) {
+      if (troubled.has(owner)) troubled.remove(owner);
+      troubled.insert(owner, shapes[owner]);
+    }
+    EXPECT_EQ(troubled.wall_count(), straight.wall_count());
+    for (int i = 0; i < 50; ++i) {
+      const Vec2 c = random_point(random, 14);
+      const double radius = random.uniform(0, 12);
+      EXPECT_EQ(gathered(straight, c, radius), gathered(troubled, c, radius));
+      std::vector<Wall> walls;
+      std::vector<Pole> poles;
+      straight.gather(c, radius, walls, poles);
+      std::size_t expected = 0, round = 0;
+      for (const auto& [owner, shape] : shapes) {
+        for (const auto& [a, b] : edges(shape)) expected += distance_to_segment(c, a, b) <= radius;
+        if (const auto* disc = std::get_if<Disc>(&shape)) round += (c - disc->center).norm() <= radius + disc->radius;
+      }
+      EXPECT_EQ(walls.size(), expected);
+      EXPECT_EQ(poles.size(), round);
+    }
+  }
+}
+
+TEST(ShapeIndex, WideWorldsTakeCoarserCells) {
+  ShapeIndex index;
+  Shapes shapes;
+  const auto add = [&](const Shape& shape) {
+    const auto owner = static_cast<std::uint32_t>(shapes.size());
+    index.insert(owner, shape);
+    shapes[owner] = shape;
+  };
+  add(Rectangle{{0, 0}, {1, 1}, 0.4});
+  add(Disc{{1e6, -1e6}, 0.5});
+  add(Rectangle{{-1e6, 1e6}, {1e6, 1e6}, 1});
+  add(Chain{{{-1e6, -1e6}, {1e6, 1e6 - 3}}, false});
+  for (int i = 0; i < 50; ++i) add(Chain{{{-1e6, i * 1.0}, {1e6, i * 1.0 + 0.5}}, false});
+  Tally tally;
+  Stream random(1, "wide");
+  for (int i = 0; i < 300; ++i) {
+    const Vec2 p = random_point(random, 30), u = direction(random.uniform(-4, 4));
+    const auto hit = index.cast(p, u, 1e4);
+    EXPECT_NEAR(hit ? hit->range : 0,
+                std::min(brute_range(shapes, p, u, 1e4), 1e9) < 1e9 ? brute_range(shapes, p, u, 1e4) : 0, 1e-6);
+    EXPECT_NEAR(index.distance(p, 1e7), brute_distance(shapes, p, 1e7), 1e-8);
+  }
+  EXPECT_TRUE(index.inside({0, 0}));
+  EXPECT_TRUE(index.inside({1e6, -1e6 + 0.4}));
+  for (std::uint32_t owner = 1; owner < shapes.size(); ++owner) index.remove(owner);
+  EXPECT_TRUE(index.inside({0, 0}));
+  EXPECT_DOUBLE_EQ(index.distance({10, 0}, 3), 3);
 }
 
 }  // namespace
