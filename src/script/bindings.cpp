@@ -15,6 +15,11 @@ void bind_all(lua_State* L) {
   bind_thing(L);
   bind_numbers(L);
   bind_matrix(L);
+  bind_observation(L);
+  bind_navigators(L);
+  bind_sim(L);
+  bind_drive(L);
+  bind_run(L);
   bind_help(L);
 }
 

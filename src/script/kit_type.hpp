@@ -104,7 +104,11 @@ class Type : public TypeBuilder {
   static int getter(lua_State* L, const Record& record) {
     return border(L, record, [&] {
       const auto self = read_object<T>(L, 1, Path{.kind = Path::Kind::self});
-      return push_result(L, std::invoke(Get, *self));
+      using Self = std::remove_cvref_t<std::tuple_element_t<0, typename SignatureOf<Get>::Arguments>>;
+      if constexpr (std::is_same_v<Self, std::shared_ptr<T>>)
+        return push_result(L, Get(self));  // a view, which keeps its owner alive
+      else
+        return push_result(L, std::invoke(Get, *self));
     });
   }
   template <auto F>

@@ -24,6 +24,21 @@ struct Thing {
   Id id;
 };
 
+/// One of the robots of a simulation: the truth about it.
+struct RobotView {
+  std::shared_ptr<Sim> sim;
+  std::size_t index = 0;
+};
+
+/// A run with the world it went through, for its picture.
+struct RunRecord {
+  Run run;
+  std::shared_ptr<const World> world;
+};
+inline std::size_t native_size(const RunRecord& record) {
+  return meander::native_size(record.run) + meander::native_size(*record.world);
+}
+
 template <>
 struct ObjectName<World> {
   static constexpr const char* value = "world";
@@ -37,7 +52,11 @@ struct ObjectName<Sim> {
   static constexpr const char* value = "sim";
 };
 template <>
-struct ObjectName<Run> {
+struct ObjectName<RobotView> {
+  static constexpr const char* value = "robot";
+};
+template <>
+struct ObjectName<RunRecord> {
   static constexpr const char* value = "run";
 };
 template <>

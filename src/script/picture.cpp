@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 
+#include "render/draw_run.hpp"
 #include "render/draw_world.hpp"
 #include "render/picture_file.hpp"
 #include "render/terminal.hpp"
@@ -29,6 +30,54 @@ TerminalSize terminal_size() {
 }  // namespace
 
 DrawList picture_of(const World& world) { return draw_world(world); }
+
+DrawList picture_of(const Sim& sim) {
+  WorldLook look;
+  look.movers = false;
+  DrawList list = draw_world(sim.world(), look);
+  const Theme& colors = theme(look.background);
+  for (const Pole& moving : sim.scene().moving) list.items.push_back(DrawDisc{moving.disc, colors.mover, Mark::mover});
+  for (std::size_t i = 0; i < sim.robot_count(); ++i) {
+    const RobotOptions& options = sim.robot(i);
+    draw_scan(list, options.platform.sonar, options.sonar, sim.state(i).pose_world, sim.observation(i).readings.sonar);
+    draw_robot(list, sim.state(i).pose_world, options.platform.body.radius, colors);
+  }
+  return list;
+}
+
+void draw_scan(DrawList& list, const RingLayout& layout, const SonarOptions& sonar, const Pose2& pose,
+               std::span<const double> ranges) {
+  const std::vector<Pose2> transducers = transducer_poses(layout, pose);
+  if (transducers.size() != ranges.size()) return;
+  draw_readings(list, {transducers, ranges, sonar.half_cone, sonar.range_max}, theme(Background::light));
+}
+
+std::vector<Pose2> transducer_poses(const RingLayout& layout, const Pose2& pose) {
+  std::vector<Pose2> poses;
+  for (int i = 0; i < layout.count; ++i) {
+    const double bearing = layout.first + 2 * kPi * i / layout.count;
+    const SinCos t = sin_cos(bearing);
+    poses.push_back(pose * Pose2{layout.radius * t.cos, layout.radius * t.sin, wrap_angle(bearing)});
+  }
+  return poses;
+}
+
+DrawList picture_of(const Run& run, const World& world) {
+  DrawList list = draw_world(world);
+  std::vector<Pose2> poses;
+  std::vector<Vec2> contacts;
+  bool touched = false;
+  for (const RunStep& step : run.steps) {
+    poses.push_back(step.pose_world);
+    if (step.touching && !touched) contacts.push_back(step.pose_world.position());
+    touched = step.touching;
+  }
+  std::vector<TrackGoal> goals;
+  for (std::size_t i = 0; i < run.goals.size(); ++i)
+    goals.push_back({run.goals[i].position, run.goals[i].tolerance, static_cast<int>(i) < run.reached});
+  draw_track(list, {poses, run.robot_radius, goals, contacts}, theme(Background::light));
+  return list;
+}
 
 std::string terminal_picture(const DrawList& list, const Call& call) {
   const TerminalMode mode = terminal_mode({.is_terminal = session(call.L).terminal,
