@@ -18,14 +18,14 @@ View mirrored(const View& view, const Vec2& a, const Vec2& b) {
 
 double Bounce::through(const Candidates& list, const WedgeView& seen, const Piece& piece, double low, double high,
                        double shift, double most) {
-  const Wall& wall = list.walls()[piece.source];
+  const Face& wall = list.faces().things[piece.source];
   const Vec2 a = seen.view.local(wall.a);
   Vec2 normal = left_of(seen.view.local(wall.b) - a).normalized();
   if (normal.dot(a) < 0) normal = -normal;
   // The wall has the same local coordinates in both views.
   const Wedge window{.low = low, .high = high, .normal = normal, .offset = normal.dot(a) + kTouch};
   Hearing hearing = seen.hearing;
-  hearing.strength *= seen.reflectors[wall.material].strength;
+  hearing.strength *= seen.reflectors[wall.kind].strength;
   return mirrored_.first_echo(list, mirrored(seen.view, wall.a, wall.b), window, hearing, seen.reflectors, shift, most);
 }
 
@@ -33,7 +33,7 @@ double Bounce::first_echo(const Candidates& list, const Cone& direct, double shi
   const WedgeView& seen = direct.in_wedge();
   const double known = most;
   for (const Piece& piece : seen.pieces) {
-    if (piece.disc() || piece.near >= most || seen.reflectors[list.walls()[piece.source].material].strength == 0)
+    if (piece.disc() || piece.near >= most || seen.reflectors[list.faces().things[piece.source].kind].strength == 0)
       continue;
     shadows_.cast(piece, seen.pieces, known);
     double low = piece.low;

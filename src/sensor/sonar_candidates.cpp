@@ -16,7 +16,7 @@ constexpr double kMargin = 4e-6;
 
 /// The part of a wall within the disc, a little enlarged: what lies farther is out of range, and would need more
 /// digits.
-std::pair<Vec2, Vec2> near_part(const Wall& wall, const Vec2& center, double radius) {
+std::pair<Vec2, Vec2> near_part(const Face& wall, const Vec2& center, double radius) {
   const Vec2 a = wall.a - center, b = wall.b - center, d = b - a;
   const double dd = d.squaredNorm(), ad = a.dot(d), r = 1.01 * radius;
   if (std::max(a.squaredNorm(), b.squaredNorm()) <= r * r) return {a, b};
@@ -26,63 +26,71 @@ std::pair<Vec2, Vec2> near_part(const Wall& wall, const Vec2& center, double rad
 
 void put(Lanes* lanes, std::size_t lane, double value) { lanes[lane / 4][lane % 4] = static_cast<float>(value); }
 
-WallBlock wall_block(std::span<const Wall> walls, const Vec2& center, double radius) {
+WallBlock block_of(std::span<const Face> faces, const Vec2& center, double radius) {
   WallBlock block;
   for (Lanes* lanes : {block.ax, block.ay, block.bx, block.by}) lanes[0] = lanes[1] = all(kUnused);
-  for (std::size_t i = 0; i < walls.size(); ++i) {
-    const auto [a, b] = near_part(walls[i], center, radius);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const auto [a, b] = near_part(faces[i], center, radius);
     put(block.ax, i, a.x()), put(block.ay, i, a.y());
     put(block.bx, i, b.x()), put(block.by, i, b.y());
   }
   return block;
 }
 
-DiscBlock disc_block(std::span<const Pole> poles, const Vec2& center, double radius) {
+Disc disc_of(const Pole& pole) { return pole.disc; }
+Disc disc_of(const Corner& corner) { return {corner.at, 0}; }
+
+template <class Thing>
+DiscBlock block_of(std::span<const Thing> things, const Vec2& center, double radius) {
   DiscBlock block;
   for (Lanes* lanes : {block.x, block.y, block.radius}) lanes[0] = lanes[1] = all(kUnused);
-  for (std::size_t i = 0; i < poles.size(); ++i) {
-    const Vec2 p = poles[i].disc.center - center;
-    const bool huge = poles[i].disc.radius > radius;  // too large for single precision: never culled
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const Disc disc = disc_of(things[i]);
+    const Vec2 p = disc.center - center;
+    const bool huge = disc.radius > radius;  // too large for single precision: never culled
     put(block.x, i, huge ? 0 : p.x()), put(block.y, i, huge ? 0 : p.y());
-    put(block.radius, i, huge ? kNever : poles[i].disc.radius);
+    put(block.radius, i, huge ? kNever : disc.radius);
   }
   return block;
 }
 
-template <class Piece, class Block, class Make>
-void fill(std::span<const Piece> pieces, std::vector<Block>& blocks, const Make& make) {
-  blocks.clear();
-  for (std::size_t i = 0; i < pieces.size(); i += kBlock)
-    blocks.push_back(make(pieces.subspan(i, std::min(kBlock, pieces.size() - i))));
+template <class Thing, class Block>
+void fill_blocks(Shelf<Thing, Block>& shelf, const Vec2& center, double radius) {
+  shelf.blocks.clear();
+  const std::span<const Thing> things(shelf.things);
+  for (std::size_t i = 0; i < things.size(); i += kBlock)
+    shelf.blocks.push_back(block_of(things.subspan(i, std::min(kBlock, things.size() - i)), center, radius));
 }
 
-double distance(const Wall& wall, const Vec2& p) { return distance_to_segment(p, wall.a, wall.b); }
+double distance(const Face& face, const Vec2& p) { return distance_to_segment(p, face.a, face.b); }
+double distance(const Corner& corner, const Vec2& p) { return (corner.at - p).norm(); }
 double distance(const Pole& pole, const Vec2& p) { return (pole.disc.center - p).norm() - pole.disc.radius; }
 
 }  // namespace
 
 /// Sorts by rings around the centre, keeping the order within a ring, and notes the least distance from each block on.
-template <class Piece>
-void Candidates::sort_outward(const std::vector<Piece>& from, std::vector<Piece>& to, std::vector<double>& least) {
+template <class Thing, class Block>
+void Candidates::sort_outward(const std::vector<Thing>& from, Shelf<Thing, Block>& to) {
   const auto ring = [](double d) { return static_cast<std::size_t>(d / kRingWidth); };
   distance_.clear();
   rings_.assign(ring(radius_) + 3, 0);
-  for (const Piece& piece : from) {
-    distance_.push_back(std::clamp(distance(piece, center_), 0.0, radius_));
+  for (const Thing& thing : from) {
+    distance_.push_back(std::clamp(distance(thing, center_), 0.0, radius_));
     ++rings_[ring(distance_.back()) + 1];
   }
   for (std::size_t i = 1; i < rings_.size(); ++i) rings_[i] += rings_[i - 1];
   order_.resize(from.size());
   for (std::size_t i = 0; i < from.size(); ++i) order_[rings_[ring(distance_[i])]++] = static_cast<std::uint32_t>(i);
 
-  to.clear();
-  for (const std::uint32_t i : order_) to.push_back(from[i]);
-  least.assign((from.size() + kBlock - 1) / kBlock, kNever);
+  to.things.clear();
+  for (const std::uint32_t i : order_) to.things.push_back(from[i]);
+  to.distance.assign((from.size() + kBlock - 1) / kBlock, kNever);
   for (std::size_t i = from.size(); i-- > 0;) {
-    double& block = least[i / kBlock];
+    double& block = to.distance[i / kBlock];
     block = std::min(block, distance_[order_[i]]);
-    if (i % kBlock == 0 && i > 0) least[i / kBlock - 1] = block;
+    if (i % kBlock == 0 && i > 0) to.distance[i / kBlock - 1] = block;
   }
+  fill_blocks(to, center_, radius_);
 }
 
 std::uint16_t Candidates::kind_of(const Material& material) {
@@ -103,22 +111,29 @@ void Candidates::gather(const ShapeIndex& index, const Vec2& center, double radi
   radius_ = radius;
   index.gather(center, radius, gathered_walls_, gathered_poles_);
   materials_.assign(1, Material{});  // of moving discs
-  for (Wall& wall : gathered_walls_) wall.material = kind_of(index.material(wall.material));
+  gathered_faces_.clear();
+  gathered_corners_.clear();
+  for (Wall& wall : gathered_walls_) {
+    wall.material = kind_of(index.material(wall.material));
+    gathered_faces_.emplace_back(wall);
+    if (wall.convex_a) gathered_corners_.push_back({wall.a, wall.material});
+    if (wall.convex_b) gathered_corners_.push_back({wall.b, wall.material});
+  }
   for (Pole& pole : gathered_poles_) pole.material = kind_of(index.material(pole.material));
-  sort_outward(gathered_walls_, walls_, wall_distance_);
-  sort_outward(gathered_poles_, poles_, pole_distance_);
-  fill(walls(), wall_blocks_, [&](std::span<const Wall> w) { return wall_block(w, center, radius); });
-  fill(poles(), pole_blocks_, [&](std::span<const Pole> p) { return disc_block(p, center, radius); });
+  std::erase_if(gathered_corners_, [&](const Corner& corner) { return distance(corner, center) > radius; });
+  sort_outward(gathered_faces_, faces_);
+  sort_outward(gathered_corners_, corners_);
+  sort_outward(gathered_poles_, poles_);
 }
 
 void Candidates::set_moving(std::span<const Pole> moving, std::uint32_t except) {
-  moving_.clear();
+  moving_.things.clear();
   for (const Pole& pole : moving) {
-    if (pole.owner == except || (pole.disc.center - center_).norm() > radius_ + pole.disc.radius) continue;
-    moving_.push_back(pole);
-    moving_.back().material = 0;
+    if (pole.owner == except || distance(pole, center_) > radius_) continue;
+    moving_.things.push_back(pole);
+    moving_.things.back().material = 0;
   }
-  fill(this->moving(), moving_blocks_, [&](std::span<const Pole> p) { return disc_block(p, center_, radius_); });
+  fill_blocks(moving_, center_, radius_);
 }
 
 Cull Candidates::cull(const View& view, const Wedge& wedge) const {

@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,30 @@ struct Cull {
   unsigned may_touch(const DiscBlock& block) const;
 };
 
+/// Things of one kind in the order of their distance from the centre of the list, in rings; eight to a block.
+template <class Thing, class Block>
+struct Shelf {
+  std::vector<Thing> things;
+  std::vector<Block> blocks;
+  std::vector<double> distance;  ///< per block: nothing from here on is nearer [m]
+
+  double distance_from(std::size_t block) const { return block < distance.size() ? distance[block] : kNever; }
+
+  /// Calls visit(thing, its index) for what may touch the wedge.
+  template <class Visit>
+  void visit_touched(std::size_t block, const Cull& cull, const Visit& visit) const {
+    for (unsigned left = cull.may_touch(blocks[block]); left; left &= left - 1) {
+      const auto i = static_cast<std::uint32_t>(8 * block) + static_cast<std::uint32_t>(std::countr_zero(left));
+      visit(things[i], i);
+    }
+  }
+  /// Calls visit(thing) for all of a block.
+  template <class Visit>
+  void visit_all(std::size_t block, const Visit& visit) const {
+    for (std::size_t i = 8 * block; i < std::min(8 * block + 8, things.size()); ++i) visit(things[i]);
+  }
+};
+
 /// Everything that a ring of sonars near one place can meet, nearest first.
 class Candidates {
  public:
@@ -38,39 +63,38 @@ class Candidates {
 
   const Vec2& center() const { return center_; }
   double radius() const { return radius_; }
-  std::span<const Wall> walls() const { return walls_; }
-  std::span<const Pole> poles() const { return poles_; }
-  std::span<const Pole> moving() const { return moving_; }
-  std::span<const WallBlock> wall_blocks() const { return wall_blocks_; }
-  std::span<const DiscBlock> pole_blocks() const { return pole_blocks_; }
-  std::span<const DiscBlock> moving_blocks() const { return moving_blocks_; }
-  /// No wall (pole) from this block on is nearer to the centre [m].
-  double wall_block_distance(std::size_t block) const { return wall_distance_[block]; }
-  double pole_block_distance(std::size_t block) const { return pole_distance_[block]; }
+  const Shelf<Face, WallBlock>& faces() const { return faces_; }
+  const Shelf<Corner, DiscBlock>& corners() const { return corners_; }
+  const Shelf<Pole, DiscBlock>& poles() const { return poles_; }
+  const Shelf<Pole, DiscBlock>& moving() const { return moving_; }  ///< in no order
 
-  /// The materials met; `material` of walls and poles above is an index into these.
+  /// The materials met; the kinds of faces and corners and `material` of poles are indices into these.
   std::span<const Material> materials() const { return materials_; }
 
   Cull cull(const View& view, const Wedge& wedge) const;
 
  private:
   std::uint16_t kind_of(const Material& material);
+  template <class Thing, class Block>
+  void sort_outward(const std::vector<Thing>& from, Shelf<Thing, Block>& to);
 
   Vec2 center_{0, 0};
   double radius_ = -1;
-  std::vector<Wall> walls_, gathered_walls_;
-  std::vector<Pole> poles_, gathered_poles_, moving_;
-  std::vector<WallBlock> wall_blocks_;
-  std::vector<DiscBlock> pole_blocks_, moving_blocks_;
-  std::vector<double> wall_distance_, pole_distance_, distance_;
-  std::vector<std::uint32_t> order_, rings_;  ///< scratch
+  Shelf<Face, WallBlock> faces_;
+  Shelf<Corner, DiscBlock> corners_;
+  Shelf<Pole, DiscBlock> poles_, moving_;
   std::vector<Material> materials_;
 
-  template <class Piece>
-  void sort_outward(const std::vector<Piece>& from, std::vector<Piece>& to, std::vector<double>& least);
+  // Scratch of gather.
+  std::vector<Wall> gathered_walls_;
+  std::vector<Face> gathered_faces_;
+  std::vector<Corner> gathered_corners_;
+  std::vector<Pole> gathered_poles_;
+  std::vector<double> distance_;
+  std::vector<std::uint32_t> order_, rings_;
 };
 
-/// Visits the blocks of a list in the order of their distance.
+/// Visits the blocks of faces and poles in the order of their distance.
 class Outward {
  public:
   /// `shift`: distance of the listening place from the centre of the list.
@@ -78,23 +102,23 @@ class Outward {
   bool done() const { return !(next_ < kNever); }
   /// Nothing that is still to come is nearer than this [m].
   double reach() const { return next_ - shift_; }
-  bool at_walls() const { return wall_next_ <= pole_next_; }
-  std::size_t block() const { return at_walls() ? wall_ : pole_; }
+  bool at_faces() const { return face_next_ <= pole_next_; }
+  std::size_t block() const { return at_faces() ? face_ : pole_; }
   void advance() {
-    at_walls() ? ++wall_ : ++pole_;
+    at_faces() ? ++face_ : ++pole_;
     look();
   }
 
  private:
   void look() {
-    wall_next_ = wall_ < list_.wall_blocks().size() ? list_.wall_block_distance(wall_) : kNever;
-    pole_next_ = pole_ < list_.pole_blocks().size() ? list_.pole_block_distance(pole_) : kNever;
-    next_ = std::min(wall_next_, pole_next_);
+    face_next_ = list_.faces().distance_from(face_);
+    pole_next_ = list_.poles().distance_from(pole_);
+    next_ = std::min(face_next_, pole_next_);
   }
   const Candidates& list_;
   double shift_;
-  std::size_t wall_ = 0, pole_ = 0;
-  double wall_next_ = 0, pole_next_ = 0, next_ = 0;
+  std::size_t face_ = 0, pole_ = 0;
+  double face_next_ = 0, pole_next_ = 0, next_ = 0;
 };
 
 }  // namespace meander::sonar

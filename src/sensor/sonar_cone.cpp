@@ -3,7 +3,6 @@
 #include "sensor/sonar_cone.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace meander::sonar {
 
@@ -16,8 +15,8 @@ double Cone::first_echo(const Candidates& list, const View& view, const Wedge& w
   cover_low_ = wedge.low, cover_high_ = wedge.high, cover_far_ = 0;
 
   const Cull cull = list.cull(view, wedge);
-  look_at_moving(list, cull);
-  for (Outward walk(list, shift); !walk.done() && walk.reach() < bound_; walk.advance()) {
+  look_nearby(list, cull, std::min(most, hearing.corner_range) + shift);
+  for (Outward walk(list, shift); walk.reach() < bound_; walk.advance()) {
     settle_within(walk.reach());
     if (walk.reach() < bound_) look_at(list, cull, walk);
   }
@@ -25,28 +24,24 @@ double Cone::first_echo(const Candidates& list, const View& view, const Wedge& w
   return best_;
 }
 
-void Cone::look_at(const Candidates& list, const Cull& cull, const Outward& walk) {
-  const auto block = static_cast<std::uint32_t>(walk.block());
-  if (walk.at_walls()) {
-    for (unsigned left = cull.may_touch(list.wall_blocks()[block]); left; left &= left - 1) {
-      const std::uint32_t i = 8 * block + std::countr_zero(left);
-      in_wedge_.add(list.walls()[i], i, bound_);
-    }
-  } else {
-    for (unsigned left = cull.may_touch(list.pole_blocks()[block]); left; left &= left - 1) {
-      const std::uint32_t i = 8 * block + std::countr_zero(left);
-      in_wedge_.add(list.poles()[i], i, bound_);
-    }
-  }
+/// What is not sorted or not far: moving discs and corners.
+void Cone::look_nearby(const Candidates& list, const Cull& cull, double corner_distance) {
+  for (std::size_t block = 0; block < list.moving().blocks.size(); ++block)
+    list.moving().visit_touched(block, cull,
+                                [&](const Pole& pole, std::uint32_t i) { in_wedge_.add(pole, i, bound_); });
+  for (std::size_t block = 0; list.corners().distance_from(block) <= corner_distance; ++block)
+    list.corners().visit_touched(block, cull,
+                                 [&](const Corner& corner, std::uint32_t) { in_wedge_.add(corner, bound_); });
   cover();
 }
 
-void Cone::look_at_moving(const Candidates& list, const Cull& cull) {
-  for (std::uint32_t block = 0; block < list.moving_blocks().size(); ++block)
-    for (unsigned left = cull.may_touch(list.moving_blocks()[block]); left; left &= left - 1) {
-      const std::uint32_t i = 8 * block + std::countr_zero(left);
-      in_wedge_.add(list.moving()[i], i, bound_);
-    }
+void Cone::look_at(const Candidates& list, const Cull& cull, const Outward& walk) {
+  if (walk.at_faces())
+    list.faces().visit_touched(walk.block(), cull,
+                               [&](const Face& face, std::uint32_t i) { in_wedge_.add(face, i, bound_); });
+  else
+    list.poles().visit_touched(walk.block(), cull,
+                               [&](const Pole& pole, std::uint32_t i) { in_wedge_.add(pole, i, bound_); });
   cover();
 }
 

@@ -21,7 +21,7 @@ class Cone {
 
  private:
   void look_at(const Candidates& list, const Cull& cull, const Outward& walk);
-  void look_at_moving(const Candidates& list, const Cull& cull);
+  void look_nearby(const Candidates& list, const Cull& cull, double corner_distance);
   void cover();
   void settle_within(double reach);
 

@@ -8,7 +8,7 @@ namespace {
 bool apart(double side_a, double side_b) { return (side_a > 0 && side_b > 0) || (side_a < 0 && side_b < 0); }
 
 /// Does the wall come within touching distance of the leg p-q?
-bool meets(const Wall& wall, const Vec2& p, const Vec2& q) {
+bool meets(const Face& wall, const Vec2& p, const Vec2& q) {
   const Vec2 leg = q - p, along = wall.b - wall.a;
   const bool crossed = !apart(cross(leg, wall.a - p), cross(leg, wall.b - p)) &&
                        !apart(cross(along, p - wall.a), cross(along, q - wall.a)) && cross(leg, along) != 0;
@@ -30,20 +30,21 @@ void Contact::look_around(const ShapeIndex& index, const Candidates& list, const
   place_ = center;
   inside_ = index.inside(center);
   double nearest = list.radius();
-  for (Outward walk(list, (center - list.center()).norm()); !walk.done() && walk.reach() < nearest; walk.advance()) {
-    const std::size_t first = 8 * walk.block();
-    if (walk.at_walls())
-      for (std::size_t i = first; i < std::min(first + 8, list.walls().size()); ++i)
-        nearest = std::min(nearest, distance_to_segment(center, list.walls()[i].a, list.walls()[i].b));
+  for (Outward walk(list, (center - list.center()).norm()); walk.reach() < nearest; walk.advance()) {
+    if (walk.at_faces())
+      list.faces().visit_all(walk.block(), [&](const Face& face) {
+        nearest = std::min(nearest, distance_to_segment(center, face.a, face.b));
+      });
     else
-      for (std::size_t i = first; i < std::min(first + 8, list.poles().size()); ++i)
-        nearest = std::min(nearest, (list.poles()[i].disc.center - center).norm() - list.poles()[i].disc.radius);
+      list.poles().visit_all(walk.block(), [&](const Pole& pole) {
+        nearest = std::min(nearest, (pole.disc.center - center).norm() - pole.disc.radius);
+      });
   }
   free_radius_ = nearest;
 }
 
 bool Contact::operator()(const ShapeIndex& index, const Candidates& list, const Vec2& center, const Vec2& transducer) {
-  for (const Pole& pole : list.moving())
+  for (const Pole& pole : list.moving().things)
     if (meets(pole, center, transducer)) return true;
   const double leg = (transducer - center).norm();
   if ((center - place_).norm() + leg + kTouch < free_radius_) return inside_;
@@ -51,18 +52,11 @@ bool Contact::operator()(const ShapeIndex& index, const Candidates& list, const 
   look_around(index, list, center);
   if (inside_) return true;
   if (leg + kTouch < free_radius_) return false;
-  for (Outward walk(list, (center - list.center()).norm()); !walk.done() && walk.reach() <= leg + kTouch;
-       walk.advance()) {
-    const std::size_t first = 8 * walk.block();
-    if (walk.at_walls()) {
-      for (std::size_t i = first; i < std::min(first + 8, list.walls().size()); ++i)
-        if (meets(list.walls()[i], center, transducer)) return true;
-    } else {
-      for (std::size_t i = first; i < std::min(first + 8, list.poles().size()); ++i)
-        if (meets(list.poles()[i], center, transducer)) return true;
-    }
-  }
-  return false;
+  bool met = false;
+  const auto meet = [&](const auto& thing) { met = met || meets(thing, center, transducer); };
+  for (Outward walk(list, (center - list.center()).norm()); !met && walk.reach() <= leg + kTouch; walk.advance())
+    walk.at_faces() ? list.faces().visit_all(walk.block(), meet) : list.poles().visit_all(walk.block(), meet);
+  return met;
 }
 
 }  // namespace meander::sonar

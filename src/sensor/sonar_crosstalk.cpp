@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "sensor/sonar_crosstalk.hpp"
 
-#include <bit>
 #include <cmath>
 
 namespace meander::sonar {
@@ -12,7 +11,7 @@ namespace {
 class FreePath {
  public:
   FreePath(const Vec2& p, const Vec2& q) : p_(p), length_((q - p).norm()), along_((q - p) / length_) {}
-  bool blocked_by(const Wall& wall) const {
+  bool blocked_by(const Face& wall) const {
     const Vec2 a = wall.a - p_, b = wall.b - p_;
     const double side_a = cross(along_, a), side_b = cross(along_, b);
     if ((side_a > 0) == (side_b > 0)) return false;
@@ -35,37 +34,21 @@ class FreePath {
 
 bool free_between(const Candidates& list, const Vec2& p, const Vec2& q) {
   const FreePath path(p, q);
-  const auto blocks = [&](const auto& pieces, std::uint32_t block, unsigned touched) {
-    for (; touched; touched &= touched - 1)
-      if (path.blocked_by(pieces[8 * block + std::countr_zero(touched)])) return true;
-    return false;
-  };
+  bool blocked = false;
+  const auto visit = [&](const auto& thing, std::uint32_t) { blocked = blocked || path.blocked_by(thing); };
   const Cull cull = list.cull(path.view(), {.low = 0, .high = 0, .normal = {-1, 0}, .offset = -path.length()});
-  for (std::uint32_t block = 0; block < list.moving_blocks().size(); ++block)
-    if (blocks(list.moving(), block, cull.may_touch(list.moving_blocks()[block]))) return false;
-  for (Outward walk(list, (p - list.center()).norm()); !walk.done() && walk.reach() < path.length(); walk.advance()) {
-    const auto block = static_cast<std::uint32_t>(walk.block());
-    if (walk.at_walls() ? blocks(list.walls(), block, cull.may_touch(list.wall_blocks()[block]))
-                        : blocks(list.poles(), block, cull.may_touch(list.pole_blocks()[block])))
-      return false;
-  }
-  return true;
+  for (std::size_t block = 0; block < list.moving().blocks.size(); ++block)
+    list.moving().visit_touched(block, cull, visit);
+  for (Outward walk(list, (p - list.center()).norm()); !blocked && walk.reach() < path.length(); walk.advance())
+    walk.at_faces() ? list.faces().visit_touched(walk.block(), cull, visit)
+                    : list.poles().visit_touched(walk.block(), cull, visit);
+  return !blocked;
 }
 
 bool in_lobe(const View& view, double tangent, const Vec2& p) {
   const Vec2 local = view.local(p);
   return local.x() > 0 && std::abs(local.y()) <= tangent * local.x();
 }
-
-/// A wall as a mirror: the side and the place along it of every point.
-struct Mirror {
-  Vec2 a, along, normal;
-  double length;
-  explicit Mirror(const Wall& wall) : a(wall.a), along(wall.b - wall.a), length(along.norm()) {
-    along /= length;
-    normal = left_of(along);
-  }
-};
 
 /// All that fire together, with their bounding circle.
 struct Group {
@@ -85,23 +68,24 @@ struct Group {
   }
 
   /// Can the wall mirror the sender's sound to anybody? (Necessary, not sufficient.)
-  bool may_reach(const Ear& sender, const Mirror& mirror) const {
-    const Vec2 image = center - 2 * mirror.normal.dot(center - mirror.a) * mirror.normal;
-    const Vec2 p = sender.view.local(image);
+  bool may_reach(const Ear& sender, const Face& wall) const {
+    const double side = cross(wall.along, sender.view.origin - wall.a), depth = cross(wall.along, center - wall.a);
+    if (wall.solid && side >= 0) return false;  // seen from within
+    const Vec2 image = sender.view.local(center - 2 * depth * left_of(wall.along));
     const double tangent = lobes.sent.high, margin = radius * std::sqrt(1 + tangent * tangent) + kTouch;
-    return std::abs(p.y()) <= tangent * p.x() + margin && p.norm() - radius < 2 * farthest;
+    return std::abs(image.y()) <= tangent * image.x() + margin && image.norm() - radius < 2 * farthest;
   }
 
-  void reach(const Ear& sender, const Mirror& mirror, double strength, Ear& hearer) const {
-    const Vec2 from = sender.view.origin - mirror.a, to = hearer.view.origin - mirror.a;
-    const double depth_from = mirror.normal.dot(from), depth_to = mirror.normal.dot(to);
+  void reach(const Ear& sender, const Face& wall, double strength, Ear& hearer) const {
+    const Vec2 from = sender.view.origin - wall.a, to = hearer.view.origin - wall.a;
+    const double depth_from = cross(wall.along, from), depth_to = cross(wall.along, to);
     if (depth_from * depth_to <= 0) return;
-    const double u = mirror.along.dot(from), v = mirror.along.dot(to);
-    const double range = 0.5 * std::sqrt((u - v) * (u - v) + (depth_from + depth_to) * (depth_from + depth_to));
+    const double u = wall.along.dot(from), v = wall.along.dot(to), depths = depth_from + depth_to;
+    const double range = 0.5 * std::sqrt((u - v) * (u - v) + depths * depths);
     if (!(range < hearer.range) || range > strength * lobes.range) return;
-    const double place = u + (v - u) * (depth_from / (depth_from + depth_to));
-    if (place < 0 || place > mirror.length) return;
-    const Vec2 p = mirror.a + place * mirror.along;
+    const double place = u + (v - u) * (depth_from / depths);
+    if (place < 0 || place > wall.length) return;
+    const Vec2 p = wall.a + place * wall.along;
     if (!in_lobe(sender.view, lobes.sent.high, p) || !in_lobe(hearer.view, lobes.receive, p)) return;
     if (free_between(list, sender.view.origin, p) && free_between(list, hearer.view.origin, p)) hearer.range = range;
   }
@@ -114,18 +98,14 @@ void hear_each_other(const Candidates& list, std::span<const Reflector> reflecto
   const Group group(list, lobes, ears);
   for (const Ear& sender : ears) {
     // The way to the wall is at most half the whole way and half the way between the two.
-    const double most = group.farthest + group.radius, shift = (sender.view.origin - list.center()).norm();
+    const double most = group.farthest + group.radius + (sender.view.origin - list.center()).norm();
     const Cull cull = list.cull(sender.view, lobes.sent);
-    for (std::uint32_t block = 0; block < list.wall_blocks().size(); ++block) {
-      if (list.wall_block_distance(block) - shift >= most) break;
-      for (unsigned touched = cull.may_touch(list.wall_blocks()[block]); touched; touched &= touched - 1) {
-        const Wall& wall = list.walls()[8 * block + std::countr_zero(touched)];
-        const Mirror mirror(wall);
-        if (!group.may_reach(sender, mirror)) continue;
+    for (std::size_t block = 0; list.faces().distance_from(block) < most; ++block)
+      list.faces().visit_touched(block, cull, [&](const Face& wall, std::uint32_t) {
+        if (!group.may_reach(sender, wall)) return;
         for (Ear& hearer : ears)
-          if (&hearer != &sender) group.reach(sender, mirror, reflectors[wall.material].strength, hearer);
-      }
-    }
+          if (&hearer != &sender) group.reach(sender, wall, reflectors[wall.kind].strength, hearer);
+      });
   }
 }
 

@@ -137,20 +137,24 @@ void Shadows::merge() {
 namespace {
 
 bool hidden_corner(const Echo& corner, std::span<const Piece> pieces) {
-  return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& piece) {
-    return piece.near <= corner.range && hides(piece, corner.s, corner.w);
-  });
+  const double w = 1 / corner.at.x(), s = corner.at.y() * w;
+  return std::any_of(pieces.begin(), pieces.end(),
+                     [&](const Piece& piece) { return piece.near <= corner.range && hides(piece, s, w); });
 }
+
+/// Is the direction of the point p (X > 0) lower than s?
+bool lower(const Vec2& p, double s) { return p.y() < s * p.x(); }
 
 /// Of the two ends of the shadow over the echo, the nearer one that still answers; false where no shadow lies. Ranges
 /// grow away from the echo's place.
 bool leave_shadow(Echo& echo, const Piece& piece, std::span<const Interval> shadows) {
-  const auto over = std::find_if(shadows.begin(), shadows.end(),
-                                 [&](const Interval& i) { return i.low < echo.s && echo.s < i.high; });
+  const auto over = std::find_if(shadows.begin(), shadows.end(), [&](const Interval& i) {
+    return !lower(echo.at, i.low) && lower(echo.at, i.high) && echo.at.y() != i.low * echo.at.x();
+  });
   if (over == shadows.end()) return false;
-  const double left = over->low >= echo.low ? range_of(piece, over->low) : kNever;
-  const double right = over->high <= echo.high ? range_of(piece, over->high) : kNever;
-  echo.s = left <= right ? over->low : over->high;
+  const double left = lower(echo.low, over->low) ? range_of(piece, over->low) : kNever;
+  const double right = lower(echo.high, over->high) ? kNever : range_of(piece, over->high);
+  echo.at = {1, left <= right ? over->low : over->high};
   echo.range = std::max(echo.range, std::min(left, right));
   return true;
 }

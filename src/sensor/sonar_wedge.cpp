@@ -23,39 +23,41 @@ struct Part {
   /// Keeps what lies on the side where a function that is linear along the wall, and `a` and `b` at its ends, is not
   /// negative.
   bool cut(double a, double b, double s) {
-    if (a < 0 && b < 0) return false;
-    if (a < 0 && a / (a - b) > from.t) from = {a / (a - b), s};
-    if (b < 0 && a / (a - b) < to.t) to = {a / (a - b), s};
+    if (a < 0) {
+      if (b < 0) return false;
+      const double t = a / (a - b);
+      if (t > from.t) from = {t, s};
+    } else if (b < 0) {
+      const double t = a / (a - b);
+      if (t < to.t) to = {t, s};
+    }
     return from.t <= to.t;
   }
 };
 
-std::optional<Part> part_in(const Wedge& wedge, const Vec2& a, const Vec2& b) {
-  Part part;
-  if (!part.cut(a.y() - wedge.low * a.x(), b.y() - wedge.low * b.x(), wedge.low)) return std::nullopt;
-  if (!part.cut(wedge.high * a.x() - a.y(), wedge.high * b.x() - b.y(), wedge.high)) return std::nullopt;
-  if (wedge.normal.x() == 0 && wedge.normal.y() == 0) return part;
-  if (!part.cut(wedge.normal.dot(a) - wedge.offset, wedge.normal.dot(b) - wedge.offset, Cut::kUnknown))
-    return std::nullopt;
-  return part;
-}
-
-/// A wall in local coordinates. Its ends are met exactly, so that walls that share a vertex share its direction.
+/// A wall in local coordinates.
 struct Line {
-  Vec2 a, b, d;
-  Line(const Vec2& from, const Vec2& to) : a(from), b(to), d(to - from) {}
-  Vec2 at(double t) const { return t == 1 ? b : Vec2(a + t * d); }
+  Vec2 a, b;
+  double length;
+
+  bool cut(const Wedge& wedge, Part& part) const {
+    return part.cut(a.y() - wedge.low * a.x(), b.y() - wedge.low * b.x(), wedge.low) &&
+           part.cut(wedge.high * a.x() - a.y(), wedge.high * b.x() - b.y(), wedge.high) &&
+           part.cut(wedge.normal.dot(a) - wedge.offset, wedge.normal.dot(b) - wedge.offset, Cut::kUnknown);
+  }
+  Vec2 at(double place) const { return a + (place / length) * (b - a); }
 };
 
-struct Spot {
+/// An end of a part. Uncut ends are met exactly, so that walls that share a vertex share its direction.
+struct End {
+  Vec2 at;
+  double place;  ///< along the wall [m]
   double s, w;
+  End(const Line& line, const Cut& cut, const Wedge& wedge)
+      : at(cut.t == 1 ? line.b : Vec2(line.a + cut.t * (line.b - line.a))), place(cut.t * line.length), w(1 / at.x()) {
+    s = std::isnan(cut.s) ? std::clamp(at.y() * w, wedge.low, wedge.high) : cut.s;
+  }
 };
-
-Spot spot(const Line& line, const Cut& cut, const Wedge& wedge) {
-  const Vec2 p = line.at(cut.t);
-  const double w = 1 / p.x();
-  return {std::isnan(cut.s) ? std::clamp(p.y() * w, wedge.low, wedge.high) : cut.s, w};
-}
 
 double square(double x) { return x * x; }
 
@@ -104,17 +106,13 @@ double sine_within(double range, double d, double radius) {
   return std::sqrt(std::max(0.0, 1 - cosine * cosine));
 }
 
-/// Half the length of the part of a wall that answers, around the foot of the perpendicular and as a share of the wall;
-/// negative: none. `area` = |a x b| of its ends, so that the wall's line is area / length away.
-double answering_half(double area, double length_squared, const Reflector& reflector, const Hearing& hearing) {
-  const auto half_within = [&](double range) {
-    const double left = square(range) * length_squared - square(area);
-    return left < 0 ? -1 : std::sqrt(left) / length_squared;
-  };
+/// Half the length [m] of the part of a wall that answers, around the foot of the perpendicular; negative: none.
+double answering_half(double depth, const Reflector& reflector, const Hearing& hearing) {
+  const auto half_within = [&](double range) { return range < depth ? -1 : std::sqrt(square(range) - square(depth)); };
   double half = kNever;
   if (hearing.incidence) {
-    half = area * reflector.tan_limit / length_squared;
-    if (hearing.near_field > 0) half = std::max(half, half_within(hearing.near_field));
+    half = depth * reflector.tan_limit;
+    if (hearing.near_field > depth) half = std::max(half, half_within(hearing.near_field));
   }
   const double strength = reflector.strength * hearing.strength;
   if (strength < 1) half = strength > 0 ? std::min(half, half_within(strength * hearing.range)) : -1;
@@ -153,49 +151,50 @@ void WedgeView::start(const View& from, const Wedge& in, const Hearing& how, std
   echoes.reserve(kUsual);
 }
 
-void WedgeView::add(const Wall& wall, std::uint32_t source, double most) {
-  const Line line(view.local(wall.a), view.local(wall.b));
-  const std::optional<Part> part = part_in(wedge, line.a, line.b);
-  if (!part) return;
-  const double length_squared = line.d.squaredNorm();
-  const double foot = length_squared > 0 ? -line.a.dot(line.d) / length_squared : 0;
-  const double nearest = std::clamp(foot, part->from.t, part->to.t);
-  const double near = line.at(nearest).norm();
+void WedgeView::add(const Face& face, std::uint32_t source, double most) {
+  const Vec2 offset = view.origin - face.a;
+  const double side = cross(face.along, offset), depth = std::abs(side);
+  if (depth >= most || (face.solid && side >= 0)) return;  // seen from within: the front of its solid hides it
+  const Line line{view.local(face.a), view.local(face.b), face.length};
+  Part part;
+  if (!line.cut(wedge, part)) return;
+  const End from(line, part.from, wedge), to(line, part.to, wedge);
+  const double foot = face.along.dot(offset);
+  const auto distance = [&](double place) {
+    if (place <= from.place) return from.at.norm();
+    if (place >= to.place) return to.at.norm();
+    return place == foot ? depth : std::sqrt(square(depth) + square(place - foot));
+  };
+  const double near = distance(foot);
   if (!(near < most)) return;
-  const Reflector& reflector = reflectors[wall.material];
-  if (wall.convex_a && part->from.t == 0) add_corner(line.a, reflector, most);
-  if (wall.convex_b && part->to.t == 1) add_corner(line.b, reflector, most);
-  if (length_squared == 0) return;
-
-  const Spot from = spot(line, part->from, wedge), to = spot(line, part->to, wedge);
-  const bool turned = from.s > to.s;
-  const Spot &low = turned ? to : from, &high = turned ? from : to;
+  const bool rising = from.s <= to.s;
+  const End &low = rising ? from : to, &high = rising ? to : from;
   pieces.push_back({.low = low.s, .high = high.s, .w_low = low.w, .w_high = high.w, .near = near, .source = source});
 
-  const double half = answering_half(std::abs(cross(line.a, line.d)), length_squared, reflector, hearing);
-  const double first = std::max(part->from.t, foot - half), last = std::min(part->to.t, foot + half);
+  const double half = answering_half(depth, reflectors[face.kind], hearing);
+  const double first = std::max(from.place, foot - half), last = std::min(to.place, foot + half);
   if (!(first <= last)) return;
-  const double best = std::clamp(foot, first, last);
-  const double range = best == nearest ? near : line.at(best).norm();
+  const double best = std::clamp(foot, first, last), range = distance(best);
   if (!(range < most)) return;
-  const Spot first_spot = first == part->from.t ? from : spot(line, {first}, wedge);
-  const Spot last_spot = last == part->to.t ? to : spot(line, {last}, wedge);
-  const Spot best_spot = best == first ? first_spot : best == last ? last_spot : spot(line, {best}, wedge);
+  const auto point = [&](double place) {
+    return place == from.place ? from.at : place == to.place ? to.at : line.at(place);
+  };
+  const Vec2 start = point(first), stop = point(last);
   echoes.push_back({.range = range,
-                    .s = best_spot.s,
-                    .w = best_spot.w,
-                    .low = std::min(first_spot.s, last_spot.s),
-                    .high = std::max(first_spot.s, last_spot.s),
+                    .at = best == first  ? start
+                          : best == last ? stop
+                                         : point(best),
+                    .low = rising ? start : stop,
+                    .high = rising ? stop : start,
                     .piece = static_cast<std::uint32_t>(pieces.size() - 1)});
 }
 
-void WedgeView::add_corner(const Vec2& p, const Reflector& reflector, double most) {
-  const double range = p.norm();
-  if (!(range < most) || range > hearing.corner_range * reflector.strength * hearing.strength ||
-      reflector.strength == 0)
-    return;
-  const double s = std::clamp(p.y() * (1 / p.x()), wedge.low, wedge.high);
-  echoes.push_back({.range = range, .s = s, .w = 1 / p.x(), .low = s, .high = s, .piece = Echo::kCorner});
+void WedgeView::add(const Corner& corner, double most) {
+  const Vec2 p = view.local(corner.at);
+  if (p.y() < wedge.low * p.x() || p.y() > wedge.high * p.x() || wedge.normal.dot(p) < wedge.offset) return;
+  const double strength = reflectors[corner.kind].strength * hearing.strength, range = p.norm();
+  if (!(range < most) || range > hearing.corner_range * strength) return;
+  echoes.push_back({.range = range, .at = p, .low = p, .high = p, .piece = Echo::kCorner});
 }
 
 void WedgeView::add(const Pole& pole, std::uint32_t source, double most) {
@@ -230,10 +229,9 @@ void WedgeView::add(const Pole& pole, std::uint32_t source, double most) {
   const double s = nearest_direction(*heard, center), range = front_of(piece, s);
   if (!(range < most)) return;
   echoes.push_back({.range = range,
-                    .s = s,
-                    .w = std::sqrt(1 + s * s) / range,
-                    .low = heard->low,
-                    .high = heard->high,
+                    .at = {1, s},
+                    .low = {1, heard->low},
+                    .high = {1, heard->high},
                     .piece = static_cast<std::uint32_t>(pieces.size() - 1)});
 }
 

@@ -35,6 +35,28 @@ struct Wedge {
   double offset = -1;
 };
 
+/// A wall as the cones need it.
+struct Face {
+  Vec2 a, b;
+  Vec2 along;  ///< unit vector a -> b
+  double length;
+  std::uint16_t kind;  ///< index of its reflector
+  bool solid;          ///< border of a solid, which lies to its left
+  explicit Face(const Wall& wall)
+      : a(wall.a),
+        b(wall.b),
+        along((wall.b - wall.a).normalized()),
+        length((wall.b - wall.a).norm()),
+        kind(wall.material),
+        solid(wall.solid) {}
+};
+
+/// A convex corner or free end.
+struct Corner {
+  Vec2 at;
+  std::uint16_t kind;
+};
+
 /// How a material answers one reading.
 struct Reflector {
   double strength = 1;   ///< share of the ranges below up to which it is heard
@@ -68,9 +90,8 @@ struct Piece {
 /// Something that may answer: a part of a piece, or a corner.
 struct Echo {
   double range;         ///< nothing of it is heard nearer than this; exact once settled
-  double s;             ///< direction of its nearest point
-  double w;             ///< 1/X there
-  double low, high;     ///< directions that answer
+  Vec2 at;              ///< its nearest point, local; of a disc: some point in that direction
+  Vec2 low, high;       ///< ends of what answers, in rising direction; of a disc: some points in those directions
   std::uint32_t piece;  ///< kCorner: a point
   static constexpr std::uint32_t kCorner = ~0u;
 };
@@ -92,11 +113,9 @@ struct WedgeView {
 
   void start(const View& from, const Wedge& in, const Hearing& how, std::span<const Reflector> of);
   /// Adds what of it lies in the wedge and is nearer than `most`.
-  void add(const Wall& wall, std::uint32_t source, double most);
+  void add(const Face& face, std::uint32_t source, double most);
   void add(const Pole& pole, std::uint32_t source, double most);
-
- private:
-  void add_corner(const Vec2& p, const Reflector& reflector, double most);
+  void add(const Corner& corner, double most);
 };
 
 }  // namespace meander::sonar

@@ -64,7 +64,8 @@ TEST(SonarDegenerate, raster_worlds_from_raster_places) {
   }
 }
 
-/// What stands on shared vertices does not depend on rounding: a tiny shift changes next to no reading.
+/// What stands on shared vertices does not depend on rounding: a tiny shift changes next to no reading, but for contact
+/// and where it opens a slit between two vertices in one line with the transducer.
 TEST(SonarDegenerate, readings_on_a_raster_survive_a_shift_of_1e_9) {
   Stream random(32, "shift");
   SonarOptions o = plain_options();
@@ -80,10 +81,11 @@ TEST(SonarDegenerate, readings_on_a_raster_survive_a_shift_of_1e_9) {
       Pose2 moved = pose;
       moved.x += random.uniform(-1e-9, 1e-9), moved.y += random.uniform(-1e-9, 1e-9);
       const std::vector<double> a = scan(ring, scene, pose), b = scan(ring, scene, moved);
-      for (int i = 0; i < 16; ++i) changed += std::abs(a[i] - b[i]) > 0.01, ++compared;
+      for (int i = 0; i < 16; ++i)
+        if (a[i] > 0 && b[i] > 0) changed += std::abs(a[i] - b[i]) > 0.01, ++compared;
     }
   }
-  EXPECT_LT(changed, compared / 500) << "of " << compared;
+  EXPECT_LT(changed, compared / 2000) << "of " << compared;
 }
 
 TEST(SonarDegenerate, on_a_vertex_on_an_edge_and_within) {
