@@ -16,17 +16,22 @@ struct Cell {
   bool operator==(const Cell&) const = default;
 };
 
-/// Where a grid lies: `origin` is the pose of the lower left corner of cell (0, 0), `resolution` the side of a cell [m].
+/// Where a grid lies: `origin` is the pose of the lower left corner of cell (0, 0), `resolution` the side of a cell
+/// [m].
 struct GridFrame {
   double resolution = 1;
   Pose2 origin;
 
   Vec2 center(Cell cell) const { return origin * Vec2((cell.x + 0.5) * resolution, (cell.y + 0.5) * resolution); }
+  /// The point in units of cells from the lower left corner.
+  Vec2 in_cells(const Vec2& point) const { return inverse(origin) * point / resolution; }
   /// The cell that contains the point; may lie outside the grid.
   Cell cell(const Vec2& point) const {
-    const Vec2 p = inverse(origin) * point / resolution;
+    const Vec2 p = in_cells(point).cwiseMax(-kFarthestCell).cwiseMin(kFarthestCell);
     return {static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))};
   }
+  /// Points beyond are taken to lie in the last cell.
+  static constexpr double kFarthestCell = 1 << 30;
   bool operator==(const GridFrame&) const = default;
 };
 
@@ -35,7 +40,8 @@ template <class T>
 class Grid {
  public:
   Grid() = default;
-  Grid(int width, int height, const T& fill = T{}, GridFrame frame = {}) : frame(frame), width_(width), height_(height) {
+  Grid(int width, int height, const T& fill = T{}, GridFrame frame = {})
+      : frame(frame), width_(width), height_(height) {
     if (width < 0 || height < 0) fail("grid: width and height >= 0 expected, got {} x {}", width, height);
     cells_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill);
   }
