@@ -48,7 +48,7 @@ Theme dark_theme() {
   t.floor = {23, 29, 38};
   t.grid = {31, 39, 50};
   t.bounds = {56, 66, 80};
-  t.wall = {176, 187, 201};
+  t.wall = {198, 207, 218};
   t.place = {139, 150, 163};
   t.path = kSky;
   t.sweep = faded(kSky, 52);
