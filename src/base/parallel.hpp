@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
-#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -13,8 +14,9 @@
 
 namespace meander {
 
-/// Runs make(i) for i = 0 .. count - 1 on `threads` threads (0: all cores) and hands each result to take(i, result) on
-/// one thread at a time, in the order of i, whatever finishes first. The first exception ends the loop and is rethrown.
+/// Runs make(i) for i = 0 .. count - 1 on `threads` threads (0, or more than there are: all cores) and hands each
+/// result to take(i, result) on one thread at a time, in the order of i, whatever finishes first. The first exception
+/// ends the loop and is rethrown.
 template <class Make, class Take>
 void ordered_parallel(std::size_t count, int threads, const Work& work, Make make, Take take) {
   using Result = std::invoke_result_t<Make, std::size_t>;
@@ -23,7 +25,8 @@ void ordered_parallel(std::size_t count, int threads, const Work& work, Make mak
     Result result;
   };
   std::size_t next = 0;
-  tbb::task_arena arena(threads > 0 ? threads : static_cast<int>(tbb::task_arena::automatic));
+  const int cores = tbb::info::default_concurrency();
+  tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
   arena.execute([&] {
     const auto in_flight = static_cast<std::size_t>(4 * tbb::this_task_arena::max_concurrency());
     tbb::parallel_pipeline(in_flight,

@@ -72,7 +72,7 @@ double angle_of(double y, double x) {
   const double ax = std::abs(x), ay = std::abs(y);
   double a = ay <= ax ? atan_unit(ay / ax) : kPi / 2 - atan_unit(ax / ay);
   if (x < 0) a = kPi - a;
-  return y < 0 ? -a : a;
+  return y < 0 && a < kPi ? -a : a;  // -pi is not in the range
 }
 
 double wrap_angle(double angle) {
