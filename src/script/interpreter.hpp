@@ -33,6 +33,8 @@ class Interpreter {
   Interpreter& operator=(const Interpreter&) = delete;
 
   Session& session() { return session_; }
+  /// For bindings beyond those of bind_all().
+  lua_State* state() { return L_; }
 
   /// `script` and `arguments` become the global `arg`, as lua(1) has it; main scripts also get the arguments as `...`.
   void set_arguments(const std::string& script, const std::vector<std::string>& arguments);

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -86,6 +87,7 @@ class Workshop {
     setenv("PATH", path.c_str(), 1);
     setenv("HOME", work.c_str(), 1);
     setenv("TERM", "dumb", 1);
+    std::signal(SIGINT, SIG_DFL);  // ignored where the tests run in the background
     execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     _exit(127);
   }
