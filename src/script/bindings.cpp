@@ -3,12 +3,11 @@
 #include "script/bindings.hpp"
 
 #include "script/bind.hpp"
-#include "script/kit_module.hpp"
 
 namespace meander::script {
 
 void bind_all(lua_State* L) {
-  Module(L, "meander", "A laboratory for sonar navigation.");
+  bind_folder(L);
   bind_world(L);
   bind_world_edit(L);
   bind_world_module(L);
@@ -20,6 +19,9 @@ void bind_all(lua_State* L) {
   bind_sim(L);
   bind_drive(L);
   bind_run(L);
+  bind_robot(L);
+  bind_sensor(L);
+  bind_study(L);
   bind_help(L);
 }
 
