@@ -8,3 +8,5 @@
 #define EXAMPLE_SIM "s = meander.sim.new { world = meander.world.new { start = {2, 2, 0} } } "
 /// A run `run` of two metres in it.
 #define EXAMPLE_RUN EXAMPLE_SIM "run = s:drive { navigator = 'potential_field', subgoals = { {4, 2} } } "
+/// A sonar reading `r` in it.
+#define EXAMPLE_SCAN "r = meander.sensor.scan { world = meander.world.new { start = {2, 2, 0} } } "

@@ -36,6 +36,8 @@ class Function {
   Function(lua_State* L, int index, const Path& path);
   explicit operator bool() const { return reference_ != nullptr; }
 
+  /// Pushes the function for a call by hand.
+  lua_State* push() const { return reference_->push(); }
   /// Calls with the arguments, leaves `results` values on the stack of the returned coroutine.
   template <class... A>
   lua_State* invoke(int results, const A&... arguments) const {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <set>
 
 namespace meander::script {
 namespace {
@@ -33,6 +34,21 @@ std::string describe_scalar(lua_State* L, int index) {
   }
 }
 
+/// "table {a = ..., b = ...}": sorted, because the order of Lua's tables changes from run to run.
+std::string describe_keys(lua_State* L, int table) {
+  constexpr std::size_t kMostShown = 3;
+  std::set<std::string> keys;
+  lua_pushnil(L);
+  for (; lua_next(L, table); lua_pop(L, 1)) {
+    keys.insert(lua_type(L, -2) == LUA_TSTRING ? std::string(lua_tostring(L, -2)).substr(0, kLongestShown) : "[...]");
+    if (keys.size() > kMostShown) keys.erase(std::prev(keys.end()));
+  }
+  if (keys.empty()) return "{}";
+  std::string text;
+  for (const std::string& key : keys) text += (text.empty() ? "" : ", ") + key + " = ...";
+  return "table {" + text + "}";
+}
+
 /// "{1, 2, ...}" of the list part, "{x = ...}" for others; raw access only.
 std::string describe_table(lua_State* L, int table) {
   constexpr lua_Integer kMostShown = 4;
@@ -48,11 +64,7 @@ std::string describe_table(lua_State* L, int table) {
     lua_pop(L, 1);
     return "{" + text + (more ? ", ...}" : "}");
   }
-  lua_pushnil(L);
-  if (lua_next(L, table) == 0) return "{}";
-  const std::string key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "[...]";
-  lua_pop(L, 2);
-  return "table {" + key.substr(0, kLongestShown) + " = ...}";
+  return describe_keys(L, table);
 }
 
 int point_index(lua_State* L) {

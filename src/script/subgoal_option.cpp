@@ -28,7 +28,7 @@ Subgoal SubgoalOption::in(const World* world) const {
   if (!world) fail("subgoal '{}': {{x, y}} expected, a guide knows no world", place->name);
   const Item& item = world->item(resolve(*world, *place));
   const auto* found = std::get_if<Place>(&item);
-  if (!found) fail("subgoal '{}': a place or {{x, y}} expected, this is a {}", name_of(item), kind_of(item));
+  if (!found) fail("option 'subgoals': a place or {{x, y}} expected, got {} '{}'", kind_of(item), name_of(item));
   return {found->position, found->tolerance, found->heading, found->name};
 }
 
