@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- SPDX-FileCopyrightText: the meander authors
--- A navigator written in Lua: turn towards the subgoal, away from what is near, slower where it is tight. Thirty lines
--- that see nothing but sonar readings and odometry, driven by the same loop as every other navigator.
+-- A navigator written in Lua: of the sixteen directions of the sonars take the one that is open and leads to the subgoal,
+-- slower where it is tight. It sees nothing but readings and odometry, and the same loop drives it as any other navigator.
 local report = require "meander.report"
 
 local options = require "meander.arguments" {
@@ -17,22 +17,25 @@ local function bearing(pose, point)
   return math.atan(math.sin(angle), math.cos(angle))
 end
 
--- A Braitenberg vehicle with a wish: every sonar within a metre pushes to its other side.
+-- The nearest echo in the direction of sonar i and its two neighbours.
+local function open_way(ranges, i)
+  local n = #ranges
+  return math.min(ranges[(i - 2) % n + 1], ranges[i], ranges[i % n + 1])
+end
+
 local function navigator(observation, subgoal)
-  local ranges = observation.sonar
-  local turn = 1.2 * bearing(observation.pose, subgoal)
-  local ahead = math.huge
+  local ranges, wish = observation.sonar, bearing(observation.pose, subgoal)
+  local heading, least = 0, math.huge
   for i = 1, #ranges do
     local direction = 2 * math.pi * (i - 1) / #ranges
     if direction > math.pi then direction = direction - 2 * math.pi end
-    if math.abs(direction) < deg(100) then
-      local push = math.max(0, 1.0 - ranges[i])
-      turn = turn - push * (direction >= 0 and 1 or -1) * math.cos(direction / 2)
-    end
-    if math.abs(direction) < deg(35) then ahead = math.min(ahead, ranges[i]) end
+    local detour = math.abs(math.atan(math.sin(direction - wish), math.cos(direction - wish)))
+    local cost = detour + 0.3 * math.abs(direction) + 2.0 * math.max(0, 0.7 - open_way(ranges, i)) / 0.35
+    if cost < least then heading, least = direction, cost end
   end
-  local v = math.max(0, math.min(0.5, 0.6 * (ahead - 0.25))) * math.max(0.1, math.cos(turn))
-  return v, turn
+  if math.abs(wish - heading) < deg(15) and open_way(ranges, 1) > 0.6 then heading = wish end
+  local v = math.min(0.5, 0.6 * (open_way(ranges, 1) - 0.15)) * math.max(0, math.cos(1.5 * heading))
+  return math.max(0, v), 1.2 * heading
 end
 
 local world = meander.world.open "worlds/clutter.toml"

@@ -22,7 +22,7 @@ for _, preset in ipairs { "ideal", "nomad", "real" } do
     print(json.encode({ example = "sonar_look", seed = options.seed, sonar = preset, ranges = ranges, picture = path },
       { "example", "seed", "sonar", "ranges", "picture" }))
   else
-    print(("%-6s"):format(preset) .. table.concat(meander.format("%5.2f", ranges), " ") .. "  -> " .. path)
     show(reading)
+    print(("%s: " .. ("%.2f "):rep(#ranges)):format(preset, table.unpack(ranges)) .. "m, picture " .. path)
   end
 end
