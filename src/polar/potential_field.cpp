@@ -5,19 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
+#include <vector>
 
+#include "polar/echo.hpp"
 #include "robot/kinematics.hpp"
 
 namespace meander {
 namespace {
-
-/// Where an echo may have come from, in the robot's present frame.
-struct Echo {
-  Vec2 point;               ///< on the axis of the cone
-  std::array<Vec2, 3> arc;  ///< left rim, axis, right rim
-  double gap;               ///< from the hull [m]
-};
 
 class PotentialField {
  public:
@@ -35,7 +29,7 @@ class PotentialField {
               NavigatorStatus::trapped,
               fmt::format("no progress for {:g} s, {:.2f} m from the subgoal: pull and push balance", options_.patience,
                           distance)};
-    look(observation);
+    read_echoes(observation, platform_, {.range_min = options_.range_min, .half_cone = options_.half_cone}, echoes_);
     const Vec2 force = pull(to_subgoal, distance) + push();
     return {command(observation, force, distance), NavigatorStatus::driving, {}};
   }
@@ -58,26 +52,6 @@ class PotentialField {
     return observation.time - since_ > options_.patience;
   }
 
-  void look(const Observation& observation) {
-    echoes_.clear();
-    const RingLayout& ring = platform_.sonar;
-    const Pose2 robot_from_odometry = inverse(observation.odometry.pose);
-    const Readings& readings = observation.readings;
-    for (std::size_t i = 0; i < readings.sonar.size(); ++i) {
-      if (readings.sonar[i] > kSeen) continue;
-      const Pose2 then = robot_from_odometry * readings.sonar_pose[i];
-      const double bearing = ring.first + 2 * std::numbers::pi * static_cast<double>(i) / ring.count;
-      const Vec2 sonar = then * polar_point(ring.radius, bearing);
-      const auto at = [&](double offset) {
-        return Vec2(sonar + polar_point(readings.sonar[i], then.heading + bearing + offset));
-      };
-      const Vec2 axis = at(0);
-      echoes_.push_back({axis,
-                         {at(options_.half_cone), axis, at(-options_.half_cone)},
-                         std::max(axis.norm() - platform_.body.radius, 0.0)});
-    }
-  }
-
   Vec2 pull(const Vec2& to_subgoal, double distance) const {
     return to_subgoal * (options_.attraction / std::max(distance, options_.attraction_reach));
   }
@@ -86,10 +60,10 @@ class PotentialField {
   Vec2 push() const {
     Vec2 force{0, 0};
     for (const Echo& echo : echoes_) {
-      const double rho = std::max(echo.gap, kLeastGap);
+      const double rho = std::max(echo.axis.norm() - platform_.body.radius, kLeastGap);
       if (rho >= options_.influence) continue;
       const double size = options_.repulsion * (1 / rho - 1 / options_.influence) / (rho * rho);
-      force -= std::min(size, kMostPush) * echo.point.normalized();
+      force -= std::min(size, kMostPush * options_.attraction) * echo.axis.normalized();
     }
     return force;
   }
@@ -112,7 +86,7 @@ class PotentialField {
   }
 
   double nearest_gap() const {
-    double gap = kSeen;
+    double gap = options_.caution;
     for (const Echo& echo : echoes_) gap = std::min(gap, echo.gap);
     return gap;
   }
@@ -127,34 +101,36 @@ class PotentialField {
     return 0;
   }
 
+  /// One period under the command, then braking: is all of it free?
   bool clear(const Observation& observation, double v, double w) const {
-    constexpr double kSpacing = 0.05;  // [m]
-    const double start = observation.odometry.v;
-    const double way = std::max(v, start) * observation.period + v * v / (2 * platform_.body.a_v);
-    const int samples = static_cast<int>(std::ceil(way / kSpacing));
-    const double time = v > 0 ? way / v : 0;
-    for (int i = 1; i <= samples; ++i)
-      if (hits(arc({}, v, w, time * i / samples).position())) return false;
+    constexpr int kParts = 4;
+    const Body& body = platform_.body;
+    const double dt = observation.period / kParts;
+    Pose2 pose;
+    double v_now = observation.odometry.v, w_now = observation.odometry.w;
+    for (int part = 0; part < kParts || v_now > 0; ++part) {
+      const bool braking = part >= kParts;
+      const Ramped v_next = ramped(v_now, braking ? 0 : v, body.a_v, dt);
+      const Ramped w_next = ramped(w_now, braking ? 0 : w, body.a_w, dt);
+      pose = arc(pose, v_next.mean, w_next.mean, dt);
+      if (hits(pose.position(), options_.margin + options_.headway * v)) return false;
+      v_now = v_next.end;
+      w_now = w_next.end;
+    }
     return true;
   }
 
-  bool hits(const Vec2& center) const {
-    const double least = platform_.body.radius + options_.margin;
+  bool hits(const Vec2& center, double margin) const {
+    const double least = platform_.body.radius + margin;
     for (const Echo& echo : echoes_)
-      for (const Vec2& point : echo.arc)
+      for (const Vec2& point : echo.places)
         if ((point - center).squaredNorm() < least * least && (point - center).squaredNorm() < point.squaredNorm())
           return true;
     return false;
   }
 
-  static Vec2 polar_point(double radius, double angle) {
-    const SinCos t = sin_cos(angle);
-    return {radius * t.cos, radius * t.sin};
-  }
-
-  static constexpr double kSeen = 3;         ///< farther echoes do not matter [m]
-  static constexpr double kLeastGap = 0.02;  ///< the push is finite at contact [m]
-  static constexpr double kMostPush = 50;
+  static constexpr double kLeastGap = 0.01;  ///< the push is finite at contact [m]
+  static constexpr double kMostPush = 3;     ///< times the pull
 
   Platform platform_;
   PotentialFieldOptions options_;

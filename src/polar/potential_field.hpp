@@ -9,14 +9,16 @@ namespace meander {
 
 /// Artificial potential field [K86] on the sonar readings of the present cycle alone: no memory, no map.
 struct PotentialFieldOptions {
-  double influence = 0.6;
+  double influence = 0.43;
   double attraction = 1;
-  double repulsion = 0.03;
-  double attraction_reach = 1;
-  double turn_gain = 1.5;
-  double margin = 0.03;
-  double caution = 0.3;
+  double repulsion = 0.0017;
+  double attraction_reach = 0.3;
+  double turn_gain = 0.63;
+  double margin = 0.02;
+  double headway = 0.1;
+  double caution = 0.15;
   double half_cone = 0.2181661564992912;
+  double range_min = 0.152;
   double patience = 15;
   double progress = 0.10;
 };
@@ -30,8 +32,11 @@ void fields(Options& o, Visitor&& visit) {
         o.attraction_reach);
   visit(Field{"turn_gain", "1/s", "turning rate per radian of heading error", 0.01, 100}, o.turn_gain);
   visit(Field{"margin", "m", "hull distance that braking keeps free", 0, 10}, o.margin);
+  visit(Field{"headway", "s", "and more the faster the robot is: so many seconds of its way", 0, 10}, o.headway);
   visit(Field{"caution", "m", "hull distance below which the speed falls", 0, 10}, o.caution);
   visit(Field{"half_cone", "rad", "half angle within which an echo may have come from", 0, 1.5}, o.half_cone);
+  visit(Field{"range_min", "m", "least range of the sonars: what reads so near may touch the hull", 0, 10},
+        o.range_min);
   visit(Field{"patience", "s", "trapped after so long without progress", 0.1, 1e6}, o.patience);
   visit(Field{"progress", "m", "what counts as progress towards the subgoal", 0, 100}, o.progress);
 }
