@@ -33,19 +33,17 @@ WallBlock block_of(std::span<const Face> faces, const Vec2& center, double radiu
     const auto [a, b] = near_part(faces[i], center, radius);
     put(block.ax, i, a.x()), put(block.ay, i, a.y());
     put(block.bx, i, b.x()), put(block.by, i, b.y());
+    block.convex_a |= unsigned{faces[i].convex_a} << i;
+    block.convex_b |= unsigned{faces[i].convex_b} << i;
   }
   return block;
 }
 
-Disc disc_of(const Pole& pole) { return pole.disc; }
-Disc disc_of(const Corner& corner) { return {corner.at, 0}; }
-
-template <class Thing>
-DiscBlock block_of(std::span<const Thing> things, const Vec2& center, double radius) {
+DiscBlock block_of(std::span<const Pole> poles, const Vec2& center, double radius) {
   DiscBlock block;
   for (Lanes* lanes : {block.x, block.y, block.radius}) lanes[0] = lanes[1] = all(kUnused);
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    const Disc disc = disc_of(things[i]);
+  for (std::size_t i = 0; i < poles.size(); ++i) {
+    const Disc& disc = poles[i].disc;
     const Vec2 p = disc.center - center;
     const bool huge = disc.radius > radius;  // too large for single precision: never culled
     put(block.x, i, huge ? 0 : p.x()), put(block.y, i, huge ? 0 : p.y());
@@ -63,7 +61,6 @@ void fill_blocks(Shelf<Thing, Block>& shelf, const Vec2& center, double radius) 
 }
 
 double distance(const Face& face, const Vec2& p) { return distance_to_segment(p, face.a, face.b); }
-double distance(const Corner& corner, const Vec2& p) { return (corner.at - p).norm(); }
 double distance(const Pole& pole, const Vec2& p) { return (pole.disc.center - p).norm() - pole.disc.radius; }
 
 }  // namespace
@@ -84,7 +81,7 @@ void Candidates::sort_outward(const std::vector<Thing>& from, Shelf<Thing, Block
 
   to.things.clear();
   for (const std::uint32_t i : order_) to.things.push_back(from[i]);
-  to.distance.assign((from.size() + kBlock - 1) / kBlock, kNever);
+  to.distance.assign((from.size() + kBlock - 1) / kBlock + 1, kNever);
   for (std::size_t i = from.size(); i-- > 0;) {
     double& block = to.distance[i / kBlock];
     block = std::min(block, distance_[order_[i]]);
@@ -110,20 +107,23 @@ void Candidates::gather(const ShapeIndex& index, const Vec2& center, double radi
   center_ = center;
   radius_ = radius;
   index.gather(center, radius, gathered_walls_, gathered_poles_);
-  materials_.assign(1, Material{});  // of moving discs
-  gathered_faces_.clear();
-  gathered_corners_.clear();
-  for (Wall& wall : gathered_walls_) {
-    wall.material = kind_of(index.material(wall.material));
-    gathered_faces_.emplace_back(wall);
-    if (wall.convex_a) gathered_corners_.push_back({wall.a, wall.material});
-    if (wall.convex_b) gathered_corners_.push_back({wall.b, wall.material});
-  }
-  for (Pole& pole : gathered_poles_) pole.material = kind_of(index.material(pole.material));
-  std::erase_if(gathered_corners_, [&](const Corner& corner) { return distance(corner, center) > radius; });
+  number_materials(index);
+  gathered_faces_.assign(gathered_walls_.begin(), gathered_walls_.end());
   sort_outward(gathered_faces_, faces_);
-  sort_outward(gathered_corners_, corners_);
   sort_outward(gathered_poles_, poles_);
+}
+
+void Candidates::number_materials(const ShapeIndex& index) {
+  materials_.assign(1, Material{});  // of moving discs
+  std::uint32_t last = ~0u;
+  std::uint16_t kind = 0;
+  const auto number = [&](std::uint16_t& material) {
+    if (material != last) kind = kind_of(index.material(material));
+    last = material;
+    material = kind;
+  };
+  for (Wall& wall : gathered_walls_) number(wall.material);
+  for (Pole& pole : gathered_poles_) number(pole.material);
 }
 
 void Candidates::set_moving(std::span<const Pole> moving, std::uint32_t except) {
@@ -138,40 +138,18 @@ void Candidates::set_moving(std::span<const Pole> moving, std::uint32_t except) 
 
 Cull Candidates::cull(const View& view, const Wedge& wedge) const {
   const Vec2 o = center_ - view.origin;
-  Cull cull;
-  const auto plane = [&](int i, Vec2 normal, double constant) {
-    constant += normal.dot(o) + kMargin * radius_;
-    cull.planes[i] = {all(static_cast<float>(normal.x())), all(static_cast<float>(normal.y())),
-                      all(static_cast<float>(constant))};
+  const auto plane = [&](const Vec2& normal, double constant, double length) {
+    return HalfPlane{all(static_cast<float>(normal.x())), all(static_cast<float>(normal.y())),
+                     all(static_cast<float>(constant + normal.dot(o) + length * kMargin * radius_)),
+                     all(static_cast<float>(length))};
   };
-  plane(0, (view.left - wedge.low * view.ahead) / std::sqrt(1 + wedge.low * wedge.low), 0);
-  plane(1, (wedge.high * view.ahead - view.left) / std::sqrt(1 + wedge.high * wedge.high), 0);
-  plane(2, wedge.normal.x() * view.ahead + wedge.normal.y() * view.left, -wedge.offset);
+  Cull cull{.low = plane(view.left - wedge.low * view.ahead, 0, 1 + std::abs(wedge.low)),
+            .high = plane(wedge.high * view.ahead - view.left, 0, 1 + std::abs(wedge.high)),
+            .screen = {},
+            .screened = wedge.screened()};
+  if (cull.screened)
+    cull.screen = plane(wedge.normal.x() * view.ahead + wedge.normal.y() * view.left, -wedge.offset, 1);
   return cull;
-}
-
-unsigned Cull::may_touch(const WallBlock& block) const {
-  unsigned touched = 0;
-  for (int half = 0; half < 2; ++half) {
-    LaneMask in = ~LaneMask{};
-    for (const auto& [nx, ny, c] : planes) {
-      const Lanes a = nx * block.ax[half] + (ny * block.ay[half] + c);
-      const Lanes b = nx * block.bx[half] + (ny * block.by[half] + c);
-      in &= greater(a, b) >= all(0);
-    }
-    touched |= bits(in) << (4 * half);
-  }
-  return touched;
-}
-
-unsigned Cull::may_touch(const DiscBlock& block) const {
-  unsigned touched = 0;
-  for (int half = 0; half < 2; ++half) {
-    LaneMask in = ~LaneMask{};
-    for (const auto& [nx, ny, c] : planes) in &= nx * block.x[half] + (ny * block.y[half] + c) >= -block.radius[half];
-    touched |= bits(in) << (4 * half);
-  }
-  return touched;
 }
 
 }  // namespace meander::sonar

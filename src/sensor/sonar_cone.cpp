@@ -12,36 +12,41 @@ double Cone::first_echo(const Candidates& list, const View& view, const Wedge& w
   best_ = bound_ = most;
   next_ = kNever;
   covered_ = heard_ = 0;
-  cover_low_ = wedge.low, cover_high_ = wedge.high, cover_far_ = 0;
+  cover_low_ = wedge.low, cover_high_ = wedge.high, cover_far_squared_ = 0;
 
   const Cull cull = list.cull(view, wedge);
-  look_nearby(list, cull, std::min(most, hearing.corner_range) + shift);
+  look_at_moving(list, cull);
   for (Outward walk(list, shift); walk.reach() < bound_; walk.advance()) {
-    settle_within(walk.reach());
+    if (lowest_echo() < walk.reach()) settle_within(walk.reach());
     if (walk.reach() < bound_) look_at(list, cull, walk);
   }
   settle_within(kNever);
   return best_;
 }
 
-/// What is not sorted or not far: moving discs and corners.
-void Cone::look_nearby(const Candidates& list, const Cull& cull, double corner_distance) {
+void Cone::look_at_moving(const Candidates& list, const Cull& cull) {
   for (std::size_t block = 0; block < list.moving().blocks.size(); ++block)
-    list.moving().visit_touched(block, cull,
-                                [&](const Pole& pole, std::uint32_t i) { in_wedge_.add(pole, i, bound_); });
-  for (std::size_t block = 0; list.corners().distance_from(block) <= corner_distance; ++block)
-    list.corners().visit_touched(block, cull,
-                                 [&](const Corner& corner, std::uint32_t) { in_wedge_.add(corner, bound_); });
+    for_bits(cull.may_touch(list.moving().blocks[block]), block,
+             [&](std::uint32_t i) { in_wedge_.add(list.moving().things[i], i, bound_); });
   cover();
 }
 
 void Cone::look_at(const Candidates& list, const Cull& cull, const Outward& walk) {
-  if (walk.at_faces())
-    list.faces().visit_touched(walk.block(), cull,
-                               [&](const Face& face, std::uint32_t i) { in_wedge_.add(face, i, bound_); });
-  else
-    list.poles().visit_touched(walk.block(), cull,
-                               [&](const Pole& pole, std::uint32_t i) { in_wedge_.add(pole, i, bound_); });
+  const std::size_t block = walk.block();
+  if (walk.at_faces()) {
+    const std::vector<Face>& faces = list.faces().things;
+    const WallBlock& walls = list.faces().blocks[block];
+    const Touched touched = cull.may_touch(walls);
+    for_bits(touched.walls, block, [&](std::uint32_t i) { in_wedge_.add(faces[i], i, bound_); });
+    if (walk.reach() < in_wedge_.hearing.corner_range) {
+      const auto& corner = [&](const Vec2& at, const Face& face) { in_wedge_.add_corner(at, face.kind, bound_); };
+      for_bits(touched.a & walls.convex_a, block, [&](std::uint32_t i) { corner(faces[i].a, faces[i]); });
+      for_bits(touched.b & walls.convex_b, block, [&](std::uint32_t i) { corner(faces[i].b, faces[i]); });
+    }
+  } else {
+    for_bits(cull.may_touch(list.poles().blocks[block]), block,
+             [&](std::uint32_t i) { in_wedge_.add(list.poles().things[i], i, bound_); });
+  }
   cover();
 }
 
@@ -54,16 +59,21 @@ void Cone::cover() {
     if (!from_low && !from_high) continue;
     if (from_low) cover_low_ = piece.high;
     if (from_high) cover_high_ = piece.low;
-    cover_far_ = std::max({cover_far_, distance_at(piece.low, piece.w_low), distance_at(piece.high, piece.w_high)});
-    if (cover_low_ >= cover_high_) bound_ = std::min(bound_, cover_far_);
+    cover_far_squared_ = std::max(cover_far_squared_, piece.far_squared);
+    if (cover_low_ >= cover_high_) bound_ = std::min(bound_, std::sqrt(cover_far_squared_));
   }
+}
+
+/// Least range of the echoes not yet settled.
+double Cone::lowest_echo() {
+  for (; heard_ < in_wedge_.echoes.size(); ++heard_) next_ = std::min(next_, in_wedge_.echoes[heard_].range);
+  return next_;
 }
 
 /// Settles the echoes that are complete: everything nearer than `reach` is known.
 void Cone::settle_within(double reach) {
   std::vector<Echo>& echoes = in_wedge_.echoes;
-  for (; heard_ < echoes.size(); ++heard_) next_ = std::min(next_, echoes[heard_].range);
-  while (next_ < std::min(best_, reach)) {
+  while (lowest_echo() < std::min(best_, reach)) {
     Echo& first =
         *std::min_element(echoes.begin(), echoes.end(), [](const Echo& a, const Echo& b) { return a.range < b.range; });
     settle(first, in_wedge_.pieces, reach, shadows_);

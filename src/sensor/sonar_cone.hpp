@@ -21,8 +21,9 @@ class Cone {
 
  private:
   void look_at(const Candidates& list, const Cull& cull, const Outward& walk);
-  void look_nearby(const Candidates& list, const Cull& cull, double corner_distance);
+  void look_at_moving(const Candidates& list, const Cull& cull);
   void cover();
+  double lowest_echo();
   void settle_within(double reach);
 
   WedgeView in_wedge_;
@@ -32,7 +33,7 @@ class Cone {
   double next_ = 0;          ///< least range of the echoes not yet settled
   std::size_t covered_ = 0;  ///< pieces looked at by cover()
   std::size_t heard_ = 0;    ///< echoes counted in next_
-  double cover_low_ = 0, cover_high_ = 0, cover_far_ = 0;
+  double cover_low_ = 0, cover_high_ = 0, cover_far_squared_ = 0;
 };
 
 }  // namespace meander::sonar

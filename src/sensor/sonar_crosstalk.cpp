@@ -35,13 +35,19 @@ class FreePath {
 bool free_between(const Candidates& list, const Vec2& p, const Vec2& q) {
   const FreePath path(p, q);
   bool blocked = false;
-  const auto visit = [&](const auto& thing, std::uint32_t) { blocked = blocked || path.blocked_by(thing); };
+  const auto test = [&](const auto& things, unsigned touched, std::size_t block) {
+    for_bits(touched, block, [&](std::uint32_t i) { blocked = blocked || path.blocked_by(things[i]); });
+  };
   const Cull cull = list.cull(path.view(), {.low = 0, .high = 0, .normal = {-1, 0}, .offset = -path.length()});
   for (std::size_t block = 0; block < list.moving().blocks.size(); ++block)
-    list.moving().visit_touched(block, cull, visit);
-  for (Outward walk(list, (p - list.center()).norm()); !blocked && walk.reach() < path.length(); walk.advance())
-    walk.at_faces() ? list.faces().visit_touched(walk.block(), cull, visit)
-                    : list.poles().visit_touched(walk.block(), cull, visit);
+    test(list.moving().things, cull.may_touch(list.moving().blocks[block]), block);
+  for (Outward walk(list, (p - list.center()).norm()); !blocked && walk.reach() < path.length(); walk.advance()) {
+    const std::size_t block = walk.block();
+    if (walk.at_faces())
+      test(list.faces().things, cull.may_touch(list.faces().blocks[block]).walls, block);
+    else
+      test(list.poles().things, cull.may_touch(list.poles().blocks[block]), block);
+  }
   return !blocked;
 }
 
@@ -100,8 +106,9 @@ void hear_each_other(const Candidates& list, std::span<const Reflector> reflecto
     // The way to the wall is at most half the whole way and half the way between the two.
     const double most = group.farthest + group.radius + (sender.view.origin - list.center()).norm();
     const Cull cull = list.cull(sender.view, lobes.sent);
-    for (std::size_t block = 0; list.faces().distance_from(block) < most; ++block)
-      list.faces().visit_touched(block, cull, [&](const Face& wall, std::uint32_t) {
+    for (std::size_t block = 0; list.faces().distance[block] < most; ++block)
+      for_bits(cull.may_touch(list.faces().blocks[block]).walls, block, [&](std::uint32_t i) {
+        const Face& wall = list.faces().things[i];
         if (!group.may_reach(sender, wall)) return;
         for (Ear& hearer : ears)
           if (&hearer != &sender) group.reach(sender, wall, reflectors[wall.kind].strength, hearer);

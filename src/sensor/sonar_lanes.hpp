@@ -14,7 +14,6 @@ using Lanes = float __attribute__((vector_size(16)));
 using LaneMask = std::int32_t __attribute__((vector_size(16)));
 
 inline Lanes all(float x) { return Lanes{x, x, x, x}; }
-inline Lanes greater(Lanes a, Lanes b) { return a > b ? a : b; }
 
 /// Bit i is set where lane i of a comparison holds.
 inline unsigned bits(LaneMask m) {

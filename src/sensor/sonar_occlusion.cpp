@@ -15,9 +15,6 @@ constexpr double kNearer = 1 + kTouching;
 /// By which a shadow is widened on either side, in s.
 constexpr double kSlack = 1e-10;
 
-/// Room for so many shadows from the first use on.
-constexpr std::size_t kUsual = 64;
-
 Vec2 point_at(double s, double w) { return {1 / w, s / w}; }
 
 double range_of(const Piece& piece, double s) { return piece.disc() ? front_of(piece, s) : distance_at(s, piece.w(s)); }
@@ -108,7 +105,6 @@ void Shadows::add_before_disc(const Piece& disc, const Piece& other) {
 
 void Shadows::cast(const Piece& target, std::span<const Piece> pieces, double most) {
   intervals_.clear();
-  intervals_.reserve(kUsual);
   for (const Piece& other : pieces) {
     if (other.near > most || &other == &target) continue;
     if (target.disc()) {

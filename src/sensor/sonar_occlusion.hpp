@@ -16,6 +16,7 @@ struct Interval {
 /// The directions in which a thing is hidden. The vector keeps its memory from use to use.
 class Shadows {
  public:
+  Shadows() { intervals_.reserve(64); }
   /// In which directions do the pieces whose nearest point is within `most` hide the target?
   void cast(const Piece& target, std::span<const Piece> pieces, double most);
 

@@ -8,9 +8,6 @@
 namespace meander::sonar {
 namespace {
 
-/// Room for so many pieces from the first use on, so that scans soon cease to allocate.
-constexpr std::size_t kUsual = 64;
-
 /// One end of the part of a wall within the wedge: its place a + t (b - a), and its direction where a border cut it.
 struct Cut {
   double t;
@@ -43,7 +40,8 @@ struct Line {
   bool cut(const Wedge& wedge, Part& part) const {
     return part.cut(a.y() - wedge.low * a.x(), b.y() - wedge.low * b.x(), wedge.low) &&
            part.cut(wedge.high * a.x() - a.y(), wedge.high * b.x() - b.y(), wedge.high) &&
-           part.cut(wedge.normal.dot(a) - wedge.offset, wedge.normal.dot(b) - wedge.offset, Cut::kUnknown);
+           (!wedge.screened() ||
+            part.cut(wedge.normal.dot(a) - wedge.offset, wedge.normal.dot(b) - wedge.offset, Cut::kUnknown));
   }
   Vec2 at(double place) const { return a + (place / length) * (b - a); }
 };
@@ -147,8 +145,6 @@ void WedgeView::start(const View& from, const Wedge& in, const Hearing& how, std
   view = from, wedge = in, hearing = how, reflectors = of;
   pieces.clear();
   echoes.clear();
-  pieces.reserve(kUsual);
-  echoes.reserve(kUsual);
 }
 
 void WedgeView::add(const Face& face, std::uint32_t source, double most) {
@@ -169,7 +165,13 @@ void WedgeView::add(const Face& face, std::uint32_t source, double most) {
   if (!(near < most)) return;
   const bool rising = from.s <= to.s;
   const End &low = rising ? from : to, &high = rising ? to : from;
-  pieces.push_back({.low = low.s, .high = high.s, .w_low = low.w, .w_high = high.w, .near = near, .source = source});
+  pieces.push_back({.low = low.s,
+                    .high = high.s,
+                    .w_low = low.w,
+                    .w_high = high.w,
+                    .near = near,
+                    .far_squared = std::max(from.at.squaredNorm(), to.at.squaredNorm()),
+                    .source = source});
 
   const double half = answering_half(depth, reflectors[face.kind], hearing);
   const double first = std::max(from.place, foot - half), last = std::min(to.place, foot + half);
@@ -189,10 +191,10 @@ void WedgeView::add(const Face& face, std::uint32_t source, double most) {
                     .piece = static_cast<std::uint32_t>(pieces.size() - 1)});
 }
 
-void WedgeView::add(const Corner& corner, double most) {
-  const Vec2 p = view.local(corner.at);
+void WedgeView::add_corner(const Vec2& corner, std::uint16_t kind, double most) {
+  const Vec2 p = view.local(corner);
   if (p.y() < wedge.low * p.x() || p.y() > wedge.high * p.x() || wedge.normal.dot(p) < wedge.offset) return;
-  const double strength = reflectors[corner.kind].strength * hearing.strength, range = p.norm();
+  const double strength = reflectors[kind].strength * hearing.strength, range = p.norm();
   if (!(range < most) || range > hearing.corner_range * strength) return;
   echoes.push_back({.range = range, .at = p, .low = p, .high = p, .piece = Echo::kCorner});
 }
@@ -211,12 +213,15 @@ void WedgeView::add(const Pole& pole, std::uint32_t source, double most) {
               .w_low = 0,
               .w_high = 0,
               .near = 0,
+              .far_squared = 0,
               .center = center,
               .radius = radius,
               .source = source};
   const double chord = (d - radius) * (d + radius);  // the chord is center . P = chord, the polar line of the origin
   piece.w_low = (center.x() + seen->low * center.y()) / chord;
   piece.w_high = (center.x() + seen->high * center.y()) / chord;
+  piece.far_squared =
+      std::max((1 + square(piece.low)) / square(piece.w_low), (1 + square(piece.high)) / square(piece.w_high));
   piece.near = front_of(piece, nearest_direction(*seen, center));
   if (!(piece.near < most)) return;
   if (depth < radius && !beyond_screen(piece, wedge)) return;

@@ -33,28 +33,28 @@ struct Wedge {
   double high;
   Vec2 normal{0, 0};
   double offset = -1;
+  bool screened() const { return normal.x() != 0 || normal.y() != 0; }
 };
 
-/// A wall as the cones need it.
+/// A wall as cones need it.
 struct Face {
   Vec2 a, b;
   Vec2 along;  ///< unit vector a -> b
   double length;
   std::uint16_t kind;  ///< index of its reflector
-  bool solid;          ///< border of a solid, which lies to its left
-  explicit Face(const Wall& wall)
+  bool convex_a, convex_b;
+  bool solid;  ///< border of a solid, which lies to its left
+  Face(const Wall& wall)
       : a(wall.a),
         b(wall.b),
-        along((wall.b - wall.a).normalized()),
-        length((wall.b - wall.a).norm()),
+        along(wall.b - wall.a),
+        length(along.norm()),
         kind(wall.material),
-        solid(wall.solid) {}
-};
-
-/// A convex corner or free end.
-struct Corner {
-  Vec2 at;
-  std::uint16_t kind;
+        convex_a(wall.convex_a),
+        convex_b(wall.convex_b),
+        solid(wall.solid) {
+    along /= length;
+  }
 };
 
 /// How a material answers one reading.
@@ -79,6 +79,7 @@ struct Piece {
   double low, high;          ///< directions s it spans
   double w_low, w_high;      ///< 1/X of the wall or chord there
   double near;               ///< least distance [m]
+  double far_squared;        ///< largest distance of the wall or chord, squared
   Vec2 center{0, 0};         ///< of a disc, local
   double radius = 0;         ///< of a disc; 0: wall
   std::uint32_t source = 0;  ///< index of the wall or disc
@@ -111,11 +112,16 @@ struct WedgeView {
   std::vector<Piece> pieces;
   std::vector<Echo> echoes;
 
+  /// With room for the usual number from the first use on, so that scans soon cease to allocate.
+  WedgeView() {
+    pieces.reserve(64);
+    echoes.reserve(64);
+  }
   void start(const View& from, const Wedge& in, const Hearing& how, std::span<const Reflector> of);
   /// Adds what of it lies in the wedge and is nearer than `most`.
   void add(const Face& face, std::uint32_t source, double most);
   void add(const Pole& pole, std::uint32_t source, double most);
-  void add(const Corner& corner, double most);
+  void add_corner(const Vec2& corner, std::uint16_t kind, double most);
 };
 
 }  // namespace meander::sonar
