@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "base/error.hpp"
@@ -14,10 +15,9 @@ namespace meander {
 namespace {
 
 /// A change of whole things, given as what it does to shapes, to points and to headings.
-template <class OnShape, class OnPoint>
 struct Change {
-  OnShape on_shape;
-  OnPoint on_point;
+  std::function<Shape(const Shape&)> on_shape;
+  std::function<Vec2(const Vec2&)> on_point;
   double turn = 0;
 
   void operator()(Obstacle& obstacle) const { obstacle.shape = on_shape(obstacle.shape); }
@@ -33,7 +33,6 @@ struct Change {
   }
 };
 
-template <class Change>
 void change_all(World& world, const std::vector<Id>& ids, const Change& change) {
   const auto replace_all = [&] {
     for (const Id id : ids) {

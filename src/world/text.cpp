@@ -56,12 +56,11 @@ bool has_control(std::string_view text, std::string_view allowed) {
   return false;
 }
 
-std::string printable(std::string_view text) {
-  constexpr std::size_t kMost = 64;
+std::string printable(std::string_view text, std::size_t most) {
   std::string shown;
   while (!text.empty()) {
     const Character c = first_character(text);
-    if (shown.size() + c.bytes > kMost) return shown + "...";
+    if (shown.size() + c.bytes > most) return shown + "...";
     if (c.bytes == 0 || is_control(c.code))
       shown += '?';
     else

@@ -16,6 +16,7 @@ namespace meander {
 namespace {
 
 using Keys = std::vector<std::string>;
+constexpr std::size_t kLongestComplaint = 200;
 
 /// A shape is told by one key that only it has.
 struct ShapeForm {
@@ -250,7 +251,8 @@ World world_from_toml(const std::string& text, const std::string& path) {
   try {
     root = toml::parse(text, path);
   } catch (const toml::parse_error& error) {
-    std::string what(error.description());
+    // It quotes what it met, which may be a line break.
+    std::string what = printable(error.description(), kLongestComplaint);
     if (!what.empty()) what[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(what[0])));
     fail<FileError>("{}:{}:{}: {}", path, error.source().begin.line, error.source().begin.column, what);
   }
