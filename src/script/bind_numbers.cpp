@@ -39,10 +39,14 @@ Numbers slice(const Numbers& numbers, int first, const std::optional<int>& last,
                        static_cast<std::size_t>(by));
 }
 
-std::vector<double> map(const Numbers& numbers, const Function& function) {
-  std::vector<double> list(numbers.size());
-  for (std::size_t i = 0; i < list.size(); ++i) list[i] = function.get<double>(numbers[i], static_cast<int>(i) + 1);
-  return list;
+Pushed map(const Numbers& numbers, const Function& function, const Call& call) {
+  lua_State* L = call.L;
+  lua_createtable(L, length(numbers), 0);
+  for (int i = 0; i < length(numbers); ++i) {
+    function.invoke(1, numbers[static_cast<std::size_t>(i)], i + 1);
+    lua_rawseti(L, -2, i + 1);
+  }
+  return {1};
 }
 
 template <class Better>
@@ -102,8 +106,8 @@ void bind_numbers(lua_State* L) {
                           .example = "print(meander.numbers({3, 1, 2}):slice(1, 4))"})
       .method<&map>(Doc{.name = "map",
                         .text = "A list of what a function makes of each number.",
-                        .args = {{"function", "function(number, index) that returns a number"}},
-                        .returns = "list of numbers",
+                        .args = {{"function", "function(number, index) that returns a value"}},
+                        .returns = "list of what it returned",
                         .errors = "those of the function",
                         .example = "meander.numbers({3, 1, 2}):map(math.floor)"})
       .method<&least>(Doc{.name = "min",

@@ -77,8 +77,8 @@ TEST_F(StudyScript, ViewsOfNumbers) {
   EXPECT_EQ(run("local s = 0 for i, v in ipairs(n) do s = s + i * v end\n"
                 "return s, table.concat(n:map(function(v, i) return v * i end), ' '), #n:totable()"),
             "11.0 3.0 2.0 6.0 3");
-  EXPECT_EQ(run("n:map(function() return 'x' end)"),
-            "error: test:1: numbers:map: argument 1 ('function'): result: number expected, got string \"x\"");
+  EXPECT_EQ(run("return table.concat(n:map(function(v) return ('%.2f'):format(v) end), ' ')"), "3.00 1.00 2.00");
+  EXPECT_EQ(run("n:map(3)"), "error: test:1: numbers:map: argument 1 ('function'): function expected, got number 3");
   EXPECT_EQ(run("return meander.numbers({}):min(), meander.numbers({}):mean()"), "nil nil");
   EXPECT_EQ(run("m = meander.matrix { {1, 2}, {3, 4} } return m, #m, m[2], m[3], m:column(2), m:all(), m.columns, "
                 "m:totable()[2][1]"),
