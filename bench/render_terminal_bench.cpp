@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 // A live picture of a 60 x 60 map with robot, way and sonar cones. Goal: < 2 ms of CPU per frame in the worst case, and
-// < 2000 bytes when little moves. `bytes` go to the terminal, `ratio` is the wall time of a frame over that of encoding one
-// whole frame as text.
+// < 2000 bytes when little moves. `bytes` go to the terminal, `ratio` is the wall time of a frame over that of encoding
+// one whole frame as text.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
 #include <cmath>
 
+#include "render/draw_cells.hpp"
 #include "render/draw_run.hpp"
 #include "render/terminal.hpp"
 

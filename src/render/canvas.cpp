@@ -51,6 +51,10 @@ std::vector<std::vector<cv::Point>> fixed_point(const std::vector<std::vector<Ve
 }
 
 void blend(std::uint8_t* pixel, Color color, int alpha) {
+  if (alpha == 255) {
+    pixel[0] = color.r, pixel[1] = color.g, pixel[2] = color.b;
+    return;
+  }
   const auto mix = [&](std::uint8_t below, std::uint8_t above) {
     return static_cast<std::uint8_t>((below * (255 - alpha) + above * alpha + 127) / 255);
   };

@@ -88,16 +88,4 @@ void draw_readings(DrawList& list, const Scan& scan, const Theme& theme) {
   }
 }
 
-void draw_grid(DrawList& list, const Grid<std::uint8_t>& grid, const Theme& theme, std::uint8_t wall_from) {
-  const auto colors = map_colors(theme);
-  DrawCells cells{grid.frame.origin, grid.frame.resolution, grid.width(), grid.height(), {}, {}};
-  cells.colors.reserve(grid.cells().size());
-  cells.marks.reserve(grid.cells().size());
-  for (const std::uint8_t value : grid.cells()) {
-    cells.colors.push_back(colors[value]);
-    cells.marks.push_back(value >= wall_from ? Mark::wall : Mark::cell);
-  }
-  list.items.push_back(std::move(cells));
-}
-
 }  // namespace meander

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
-#include <cstdint>
 #include <span>
-#include <string>
-#include <vector>
 
-#include "grid/grid.hpp"
+#include "geometry/pose.hpp"
 #include "render/draw_list.hpp"
 #include "render/theme.hpp"
 
@@ -44,8 +41,5 @@ struct Scan {
 /// Adds the cones of a scan, each with an arc where the echo came from. Throws ArgumentError when the numbers of
 /// transducers and ranges differ.
 void draw_readings(DrawList& list, const Scan& scan, const Theme& theme);
-
-/// Adds a byte map, 0 floor ... 255 wall. Values from `wall_from` on count as walls where a terminal has no colours.
-void draw_grid(DrawList& list, const Grid<std::uint8_t>& grid, const Theme& theme, std::uint8_t wall_from = 128);
 
 }  // namespace meander

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "render/clip.hpp"
 #include "render/draw_parts.hpp"
+#include "render/viewport.hpp"
 
 namespace meander {
 namespace {
@@ -84,14 +86,10 @@ class Painter {
   }
 
  private:
+  /// Discs as a closed chain, the rest as it is: dashes need corners.
   static Shape outlined(const Shape& shape) {
     const Disc* disc = std::get_if<Disc>(&shape);
-    if (!disc) return shape;
-    constexpr int kCorners = 32;
-    Chain chain{{}, true};
-    for (int i = 0; i < kCorners; ++i)
-      chain.points.push_back(Pose2{disc->center.x(), disc->center.y(), 2 * kPi * i / kCorners} * Vec2(disc->radius, 0));
-    return chain;
+    return disc ? Shape(Chain{circle(*disc, 20), true}) : shape;
   }
 
   void solid(const Shape& shape, Color color, Mark mark) {
@@ -124,13 +122,13 @@ class Painter {
 
 DrawList draw_floor(const Box& bounds, const std::string& caption, const WorldLook& look) {
   const Theme& colors = theme(look.background);
-  const double unit = picture_unit(bounds);
+  const double unit = picture_unit(usable_view(bounds));
   DrawList list;
   list.background = colors.background;
   const double margin = 2 * unit;
   list.view = {bounds.low - Vec2(margin, look.scale ? 4.5 * unit : margin), bounds.high + Vec2(margin, margin)};
   list.items.push_back(DrawArea{{corners(bounds), {}}, colors.floor, Mark::ground});
-  if (look.grid && unit > 0) draw_grid_lines(list, bounds, unit, colors.grid);
+  if (look.grid) draw_grid_lines(list, bounds, unit, colors.grid);
   list.items.push_back(DrawPolyline{corners(bounds), true, 0.12 * unit, colors.bounds, Mark::grid});
   if (look.scale && bounds.size().x() > 0) draw_scale(list, bounds, caption, unit, colors);
   return list;

@@ -31,7 +31,7 @@ void fields(Options& o, Visitor&& visit) {
 DrawList draw_world(const World& world, const WorldLook& look = {});
 
 /// A list that shows the floor of `bounds` alone, with a margin, grid and scale bar as the look asks: the base of every
-/// picture in the plane.
+/// picture in the plane. Throws ArgumentError when the bounds are not finite.
 DrawList draw_floor(const Box& bounds, const std::string& caption, const WorldLook& look = {});
 
 }  // namespace meander

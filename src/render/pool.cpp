@@ -28,12 +28,13 @@ class Tallies {
         rows_(canvas.image.height / block_height),
         pixels_(block_width * block_height),
         blocks_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
-    for (int y = 0; y < rows_ * block_height; ++y)
-      for (int x = 0; x < columns_ * block_width; ++x) {
-        const auto pixel =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(canvas.image.width) + static_cast<std::size_t>(x);
-        add(blocks_[index(x / block_width, y / block_height)], canvas.marks[pixel], &canvas.image.pixels[3 * pixel]);
-      }
+    for (int y = 0; y < rows_ * block_height; ++y) {
+      std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(canvas.image.width);
+      Tally* block = &blocks_[static_cast<std::size_t>(y / block_height) * static_cast<std::size_t>(columns_)];
+      for (int column = 0; column < columns_; ++column, ++block)
+        for (int i = 0; i < block_width; ++i, ++pixel)
+          add(*block, canvas.marks[pixel], &canvas.image.pixels[3 * pixel]);
+    }
   }
 
   std::vector<Pool> pools() const {
@@ -46,10 +47,6 @@ class Tallies {
   }
 
  private:
-  std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
-  }
-
   static void add(Tally& tally, std::uint8_t mark, const std::uint8_t* rgb) {
     ++tally.count[mark];
     tally.solid += is_solid(mark);

@@ -7,9 +7,8 @@
 #include <set>
 
 #include "render/canvas.hpp"
+#include "render/lettering.hpp"
 #include "render/pool.hpp"
-#include "render/theme.hpp"
-#include "render/unicode.hpp"
 
 namespace meander {
 namespace {
@@ -45,78 +44,6 @@ Glyph half_block(Color upper, Color lower) {
   if (upper == lower) return {' ', lower, lower};
   return {kUpperHalf, upper, lower};
 }
-
-/// [half characters] radius below which a body shows its heading by a character.
-constexpr double kLeastBody = 4;
-
-/// The character that points along the heading.
-char32_t arrow(double heading, TerminalMode mode) {
-  if (mode == TerminalMode::ascii) {
-    constexpr char kSigns[] = {'>', '^', '<', 'v'};
-    return static_cast<char32_t>(kSigns[std::lround(wrap_angle(heading) / (kPi / 2) + 4) % 4]);
-  }
-  constexpr char32_t kArrows[] = {U'\u2192', U'\u2197', U'\u2191', U'\u2196',
-                                  U'\u2190', U'\u2199', U'\u2193', U'\u2198'};
-  return kArrows[std::lround(wrap_angle(heading) / (kPi / 4) + 8) % 8];
-}
-
-/// Writes texts over a frame. A text that would touch an earlier one or cover a higher mark is left out.
-class Lettering {
- public:
-  Lettering(Frame& frame, std::vector<Mark> shown, const Viewport& pixels)
-      : frame_(frame), pixels_(pixels), shown_(std::move(shown)), taken_(frame.glyphs.size()) {}
-
-  void write(const DrawText& text) {
-    std::u32string words = code_points(printable(text.text));
-    words.resize(std::min<std::size_t>(words.size(), static_cast<std::size_t>(frame_.columns)));
-    const int length = static_cast<int>(words.size());
-    const Vec2 at = pixels_(text.at + Vec2(0, 0.25 * text.height));
-    if (!(at.x() >= 0 && at.y() >= 0 && at.x() < pixels_.width && at.y() < pixels_.height)) return;
-    const int shift = text.align == Align::left ? 0 : text.align == Align::center ? length / 2 : length;
-    const int row = std::min(static_cast<int>(at.y() / 2), frame_.rows - 1);
-    const int first = std::clamp(static_cast<int>(at.x()) - shift, 0, frame_.columns - length);
-    if (crowded(first, length, row) || covers(text.mark, first, length, row)) return;
-    for (int i = 0; i < length; ++i) put(first + i, row, words[static_cast<std::size_t>(i)], text.color);
-  }
-
-  void write(const DrawBody& body) {
-    if (!body.heading || body.disc.radius * pixels_.scale >= kLeastBody) return;
-    const Vec2 at = pixels_(body.disc.center);
-    const Box inside{{0, 0}, {static_cast<double>(frame_.columns), 2.0 * frame_.rows}};
-    if (!inside.contains(at + Vec2(0.5, 0.5)) || !inside.contains(at)) return;
-    put(static_cast<int>(at.x()), static_cast<int>(at.y() / 2), arrow(*body.heading, frame_.mode), body.nose);
-  }
-
- private:
-  bool crowded(int first, int length, int row) const {
-    for (int i = std::max(0, first - 1); i < std::min(frame_.columns, first + length + 1); ++i)
-      if (taken_[index(i, row)]) return true;
-    return false;
-  }
-
-  bool covers(Mark mark, int first, int length, int row) const {
-    const auto begin = shown_.begin() + static_cast<std::ptrdiff_t>(index(first, row));
-    return std::any_of(begin, begin + length, [&](Mark below) { return below > mark; });
-  }
-
-  void put(int column, int row, char32_t code, Color ink) {
-    const bool known = frame_.mode == TerminalMode::ascii ? code < 0x7F : is_narrow(code);
-    Glyph& glyph = frame_.at(column, row);
-    glyph.paper = glyph.code == kUpperHalf ? mixed(glyph.ink, glyph.paper, 0.5) : glyph.paper;
-    glyph.code = known ? code : U'?';
-    glyph.ink = frame_.mode == TerminalMode::ascii ? Color{} : ink;
-    taken_[index(column, row)] = true;
-  }
-
-  std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(frame_.columns) + static_cast<std::size_t>(column);
-  }
-
-  Frame& frame_;
-  const Viewport& pixels_;   ///< from metres to half characters
-  std::vector<Mark> shown_;  ///< highest mark in each cell
-  std::vector<bool> taken_;
-};
 
 /// The list painted with kSamples x kSamples canvas pixels for each half character.
 constexpr int kSamples = 4;
@@ -174,27 +101,6 @@ Frame terminal_frame(const DrawList& list, const TerminalSize& size, TerminalMod
     if (const DrawBody* body = std::get_if<DrawBody>(item)) lettering.write(*body);
   }
   return frame;
-}
-
-DrawList draw_image(const Image& image) {
-  DrawCells cells{{}, 1, image.width, image.height, {}, {}};
-  const auto channels = static_cast<std::size_t>(image.channels);
-  const auto row_bytes = static_cast<std::size_t>(image.width) * channels;
-  if (image.pixels.size() != row_bytes * static_cast<std::size_t>(image.height) || channels < 1 || channels == 2 ||
-      channels > 4)
-    fail("draw_image: 1, 3 or 4 channels and width x height pixels expected, got {} channels and {} bytes",
-         image.channels, image.pixels.size());
-  for (int row = image.height - 1; row >= 0; --row)
-    for (int column = 0; column < image.width; ++column) {
-      const std::uint8_t* p =
-          &image.pixels[static_cast<std::size_t>(row) * row_bytes + static_cast<std::size_t>(column) * channels];
-      cells.colors.push_back(channels == 1 ? Color{p[0], p[0], p[0]}
-                                           : Color{p[0], p[1], p[2], channels == 4 ? p[3] : std::uint8_t{255}});
-    }
-  DrawList list;
-  list.view = {{0, 0}, {static_cast<double>(image.width), static_cast<double>(image.height)}};
-  list.items.push_back(std::move(cells));
-  return list;
 }
 
 std::string legend(const DrawList& list) {

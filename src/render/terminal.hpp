@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "grid/image_file.hpp"
+#include "base/fields.hpp"
 #include "render/frame.hpp"
 
 namespace meander {
@@ -22,9 +22,6 @@ void fields(Options& o, Visitor&& visit) {
 /// The largest undistorted picture of the list within the size. Two pixels per character cell, one above the other; in
 /// ascii mode one character per cell, chosen by what it shows. Walls, however thin, stay visible and one pixel wide.
 Frame terminal_frame(const DrawList& list, const TerminalSize& size, TerminalMode mode);
-
-/// The image as a list of cells, one metre each, for the terminal and as a layer under other things.
-DrawList draw_image(const Image& image);
 
 /// What the characters of an ascii picture mean: "# wall   . path   @ robot".
 std::string legend(const DrawList& list);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/random.hpp"
+#include "render/draw_cells.hpp"
 
 namespace meander {
 namespace {
@@ -157,6 +158,16 @@ TEST(Terminal, NamesCannotSteerTheTerminal) {
   const std::string colored = text(terminal_frame(list, {20, 2}, TerminalMode::color256));
   EXPECT_EQ(colored.find("[31m\n"), std::string::npos);
   EXPECT_NE(colored.find("a?[31m?<&??"), std::string::npos);
+}
+
+TEST(Terminal, ANameOnAWallStandsOnItsHalo) {
+  constexpr Color kFloor{250, 250, 250};
+  DrawList list = view(8, 4);
+  list.items.push_back(box({0, 0}, {8, 4}));
+  list.items.push_back(DrawText{{1, 3}, "lab", 1, kBlack, kFloor});
+  const Frame frame = terminal_frame(list, {8, 2}, TerminalMode::truecolor);
+  EXPECT_EQ(frame.at(1, 0), (Glyph{U'l', kBlack, kFloor}));
+  EXPECT_EQ(frame.at(5, 0), (Glyph{U' ', kBlack, kBlack}));
 }
 
 TEST(Terminal, TextsDoNotCoverEachOther) {

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "base/random.hpp"
+#include "render/draw_cells.hpp"
 #include "render/draw_parts.hpp"
 #include "render/draw_run.hpp"
 #include "render/terminal.hpp"
