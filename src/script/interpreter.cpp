@@ -39,6 +39,13 @@ int set_up(lua_State* L) {
   return 0;
 }
 
+/// Old hands type "= x".
+std::string as_expression(const std::string& typed) {
+  const std::size_t start = typed.find_first_not_of(" \t");
+  const bool marked = start != std::string::npos && typed[start] == '=';
+  return "return " + (marked ? typed.substr(start + 1) : typed);
+}
+
 bool ends_in_eof(lua_State* L) {
   constexpr std::string_view kMark = "<eof>";
   const std::string message = pop_text(L);
@@ -171,7 +178,7 @@ Outcome Interpreter::load_module(const std::string& module) {
 
 bool Interpreter::incomplete(const std::string& text) const {
   bool open = false;
-  for (const std::string& form : {"return " + text, text}) {
+  for (const std::string& form : {as_expression(text), text}) {
     if (luaL_loadbufferx(L_, form.data(), form.size(), kPromptChunk, "t") == LUA_OK) return lua_pop(L_, 1), false;
     open = ends_in_eof(L_) || open;
   }
@@ -179,14 +186,14 @@ bool Interpreter::incomplete(const std::string& text) const {
 }
 
 Outcome Interpreter::evaluate(const std::string& text) {
-  const bool value = load("return " + text, kPromptChunk);
+  const bool value = load(as_expression(text), kPromptChunk);
   const bool statement = load(text, kPromptChunk);
   if (value)
     lua_pop(L_, 1);
   else
     lua_remove(L_, -2);
   if (!value && !statement) return load_failure();
-  Outcome outcome = run_loaded(0, value);
+  Outcome outcome = run_loaded(0, true);
   outcome.value = value;
   outcome.statement = statement;
   return outcome;
