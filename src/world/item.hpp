@@ -23,8 +23,8 @@ struct Id {
 
 /// NaN-free form of Material for files and edits.
 struct Surface {
-  double echo = 1;                        ///< strength in [0, 1]
-  std::optional<double> specular_limit;   ///< [rad]; none: the sensor's own
+  double echo = 1;                       ///< strength in [0, 1]
+  std::optional<double> specular_limit;  ///< [rad]; none: the sensor's own
   bool operator==(const Surface&) const = default;
 };
 
@@ -54,7 +54,7 @@ struct EnumNames<Motion> {
 /// A disc that moves by itself once a simulation runs.
 struct Mover {
   std::string name;
-  Disc disc;                    ///< where it starts
+  Disc disc;  ///< where it starts
   Motion motion = Motion::waypoints;
   std::vector<Vec2> waypoints;  ///< visited in a round, from `disc.center` on
   double speed = 0.5;           ///< [m/s]
