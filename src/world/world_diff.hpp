@@ -13,7 +13,7 @@ namespace meander {
 std::vector<std::string> difference(const World& a, const World& b);
 
 /// A Lua script that builds the world through the script interface: what stood before the first undo step, then every
-/// step that stands. Running it gives an equal world with the same undo steps.
+/// step that stands. Running it gives an equal world whose latest undo steps are those of this one.
 std::string world_script(const World& world);
 
 }  // namespace meander
