@@ -56,63 +56,74 @@ bool in_lobe(const View& view, double tangent, const Vec2& p) {
   return local.x() > 0 && std::abs(local.y()) <= tangent * local.x();
 }
 
-/// All that fire together, with their bounding circle.
-struct Group {
-  const Candidates& list;
-  const Lobes& lobes;
-  std::span<Ear> ears;
-  Vec2 center{0, 0};
-  double radius = 0;
-  double farthest = 0;  ///< longest range of all
+/// The sum of both half angles.
+SinCos opening(const Lobes& lobes) {
+  const double length = std::sqrt(1 + lobes.sent.high * lobes.sent.high);
+  const SinCos sent{lobes.sent.high / length, 1 / length}, &receive = lobes.receive;
+  return {sent.sin * receive.cos + sent.cos * receive.sin, sent.cos * receive.cos - sent.sin * receive.sin};
+}
 
-  Group(const Candidates& candidates, const Lobes& l, std::span<Ear> e) : list(candidates), lobes(l), ears(e) {
-    for (const Ear& ear : ears) center += ear.view.origin / static_cast<double>(ears.size());
-    for (const Ear& ear : ears) {
-      radius = std::max(radius, (ear.view.origin - center).norm());
-      farthest = std::max(farthest, ear.range);
-    }
-  }
+/// How far from the sender a place can be that both its cone and the hearer's lobe see [m]: from there the two are seen
+/// at least as far apart as their axes are, less both half angles; then the law of sines.
+double common_reach(const SinCos& open, const View& sender, const View& hearer, double between) {
+  const SinCos apart{std::abs(cross(sender.ahead, hearer.ahead)), sender.ahead.dot(hearer.ahead)};
+  const double left_sin = apart.sin * open.cos - apart.cos * open.sin;
+  if (left_sin <= 0) return kNever;
+  const double left_cos = apart.cos * open.cos + apart.sin * open.sin;
+  return left_cos <= 0 ? between : between / left_sin;
+}
 
-  /// Can the wall mirror the sender's sound to anybody? (Necessary, not sufficient.)
-  bool may_reach(const Ear& sender, const Face& wall) const {
-    const double side = cross(wall.along, sender.view.origin - wall.a), depth = cross(wall.along, center - wall.a);
-    if (wall.solid && side >= 0) return false;  // seen from within
-    const Vec2 image = sender.view.local(center - 2 * depth * left_of(wall.along));
-    const double tangent = lobes.sent.high, margin = radius * std::sqrt(1 + tangent * tangent) + kTouch;
-    return std::abs(image.y()) <= tangent * image.x() + margin && image.norm() - radius < 2 * farthest;
-  }
-
-  void reach(const Ear& sender, const Face& wall, double strength, Ear& hearer) const {
-    const Vec2 from = sender.view.origin - wall.a, to = hearer.view.origin - wall.a;
-    const double depth_from = cross(wall.along, from), depth_to = cross(wall.along, to);
-    if (depth_from * depth_to <= 0) return;
-    const double u = wall.along.dot(from), v = wall.along.dot(to), depths = depth_from + depth_to;
-    const double range = 0.5 * std::sqrt((u - v) * (u - v) + depths * depths);
-    if (!(range < hearer.range) || range > strength * lobes.range) return;
-    const double place = u + (v - u) * (depth_from / depths);
-    if (place < 0 || place > wall.length) return;
-    const Vec2 p = wall.a + place * wall.along;
-    if (!in_lobe(sender.view, lobes.sent.high, p) || !in_lobe(hearer.view, lobes.receive, p)) return;
-    if (free_between(list, sender.view.origin, p) && free_between(list, hearer.view.origin, p)) hearer.range = range;
-  }
-};
+/// Half the way from the sender over the wall to the hearer, if it is open; kNever otherwise or when not below `most`.
+double way_over(const Candidates& list, const Lobes& lobes, const Face& wall, const View& sender, const View& hearer,
+                double most) {
+  const Vec2 from = sender.origin - wall.a, to = hearer.origin - wall.a;
+  const double depth_from = cross(wall.along, from), depth_to = cross(wall.along, to), depths = depth_from + depth_to;
+  if (depth_from * depth_to <= 0) return kNever;
+  const double u = wall.along.dot(from), v = wall.along.dot(to), whole_squared = (u - v) * (u - v) + depths * depths;
+  if (!(whole_squared < 4 * most * most)) return kNever;
+  const double place = (u * depth_to + v * depth_from) / depths;
+  if (place < 0 || place > wall.length) return kNever;
+  const Vec2 p = wall.a + place * wall.along;
+  const bool open = in_lobe(sender, lobes.sent.high, p) && in_lobe(hearer, lobes.receive.sin / lobes.receive.cos, p) &&
+                    free_between(list, sender.origin, p) && free_between(list, hearer.origin, p);
+  return open ? 0.5 * std::sqrt(whole_squared) : kNever;
+}
 
 }  // namespace
 
-void hear_each_other(const Candidates& list, std::span<const Reflector> reflectors, const Lobes& lobes,
-                     std::span<Ear> ears) {
-  const Group group(list, lobes, ears);
-  for (const Ear& sender : ears) {
+/// Returns the largest distance of a wall that matters.
+double Crosstalk::find_hearers(const SinCos& open, std::span<Ear> ears, const Ear& sender) {
+  hearers_.clear();
+  double most = 0;
+  for (Ear& ear : ears) {
+    if (&ear == &sender) continue;
     // The way to the wall is at most half the whole way and half the way between the two.
-    const double most = group.farthest + group.radius + (sender.view.origin - list.center()).norm();
+    const double between = (ear.view.origin - sender.view.origin).norm();
+    const double reach = std::min(common_reach(open, sender.view, ear.view, between), ear.range + between / 2);
+    hearers_.push_back({&ear, reach + kTouch});
+    most = std::max(most, reach);
+  }
+  return most + kTouch;
+}
+
+void Crosstalk::hear_each_other(const Candidates& list, std::span<const Reflector> reflectors, const Lobes& lobes,
+                                std::span<Ear> ears) {
+  const SinCos open = opening(lobes);
+  for (const Ear& sender : ears) {
+    const double most = find_hearers(open, ears, sender), shift = (sender.view.origin - list.center()).norm();
     const Cull cull = list.cull(sender.view, lobes.sent);
-    for (std::size_t block = 0; list.faces().distance[block] < most; ++block)
-      for_bits(cull.may_touch(list.faces().blocks[block]).walls, block, [&](std::uint32_t i) {
-        const Face& wall = list.faces().things[i];
-        if (!group.may_reach(sender, wall)) return;
-        for (Ear& hearer : ears)
-          if (&hearer != &sender) group.reach(sender, wall, reflectors[wall.kind].strength, hearer);
-      });
+    const auto over = [&](const Face& wall) {
+      const double depth = cross(wall.along, sender.view.origin - wall.a);
+      if (wall.solid && depth >= 0) return;  // seen from within
+      for (const auto& [ear, reach] : hearers_) {
+        if (std::abs(depth) > reach) continue;
+        const double loud = std::min(ear->range, reflectors[wall.kind].strength * lobes.range);
+        ear->range = std::min(ear->range, way_over(list, lobes, wall, sender.view, ear->view, loud));
+      }
+    };
+    for (std::size_t block = 0; list.faces().distance[block] - shift < most; ++block)
+      for_bits(cull.may_touch(list.faces().blocks[block]).walls, block,
+               [&](std::uint32_t i) { over(list.faces().things[i]); });
   }
 }
 

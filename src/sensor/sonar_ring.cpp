@@ -46,6 +46,7 @@ struct SonarRing::State {
   double reflectors_shift = 0;
   Cone cone;
   Bounce bounce;
+  Crosstalk crosstalk;
   std::vector<Ear> ears;  ///< of one group
 };
 
@@ -144,13 +145,12 @@ double SonarRing::State::listen(int i) {
 
 /// Crosstalk within every group of the firing sequence.
 void SonarRing::State::listen_together() {
-  const SinCos lobe = sin_cos(options.receive_lobe);
-  const Lobes lobes{.sent = wedge, .receive = lobe.sin / lobe.cos, .range = options.range_max};
+  const Lobes lobes{.sent = wedge, .receive = sin_cos(options.receive_lobe), .range = options.range_max};
   for (int group = 0; group < groups; ++group) {
     ears.clear();
     for (int i = group; i < layout.count; i += groups)
       if (!touching[i]) ears.push_back({views[i], echoes[i]});
-    hear_each_other(list, reflectors, lobes, ears);
+    crosstalk.hear_each_other(list, reflectors, lobes, ears);
     std::size_t ear = 0;
     for (int i = group; i < layout.count; i += groups)
       if (!touching[i]) echoes[i] = ears[ear++].range;
