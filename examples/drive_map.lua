@@ -19,6 +19,7 @@ local options = require "meander.arguments" {
   { "--unknown HOW", default = "auto", help = "unknown cells of a ROS map: auto, free or occupied" },
   { "--index N", default = 0, help = "which world of a BARN file" },
   { "--navigator NAME", default = "potential_field", help = "who drives" },
+  { "--robot NAME", default = "nomad200", help = "kind of robot: nomad200 (radius 0.27 m) or scout (0.19 m)" },
   { "--sonar NAME", default = "nomad", help = "sonar preset: ideal, nomad or real" },
   { "--time-limit S", default = 600, help = "simulated seconds until the drive is given up" },
   { "MAP", help = "map file" },
@@ -41,17 +42,10 @@ local function points(words)
   return list
 end
 
--- Only what this kind of map understands.
-local function import_options(map)
-  local suffix = map:lower():match("%.(%w+)$")
-  if suffix == "yaml" or suffix == "yml" then return { unknown = options.unknown } end
-  if suffix == "csv" then return { index = options.index } end
-  if suffix == "toml" then return {} end
-  return { resolution = options.resolution }
-end
-
 local goals = points(options.rest)
-local world, notes = meander.world.import(options.MAP, import_options(options.MAP))
+local world, notes = meander.world.import(options.MAP, {
+  resolution = options.resolution, unknown = options.unknown, index = options.index,
+})
 for _, line in ipairs(notes) do io.stderr:write(line, "\n") end
 
 local start
@@ -59,7 +53,9 @@ if #goals > 1 then
   local first = table.remove(goals, 1)
   start = { first[1], first[2], deg(options.heading) }
 end
-local sim = meander.sim.new { world = world, robot = "nomad200", sonar = options.sonar, start = start, seed = options.seed }
+local sim = meander.sim.new {
+  world = world, robot = options.robot, sonar = options.sonar, start = start, seed = options.seed,
+}
 local run = sim:drive { navigator = options.navigator, subgoals = goals, time_limit = options.time_limit }
 
 report.run("drive_map", run, options)

@@ -94,7 +94,7 @@ if options.generations > 0 then
   for i = 2, options.population do start[i] = search.draw(random) end
   fitted = search.evolve(start, options.generations, function(point)
     return statistics.misfit(real, simulate(point, number, options.seed))
-  end, options.jobs, function(generation, best)
+  end, random, options.jobs, function(generation, best)
     if generation % 10 == 0 then say(("generation %3d: misfit %.3f"):format(generation, best)) end
   end)
 end
