@@ -8,7 +8,7 @@ function(meander_flags target)
     return()
   endif()
   # Same bits in every build: no fused multiply-add unless written, never -ffast-math.
-  target_compile_options(${target} ${scope} -ffp-contract=off -Wall -Wextra -Wshadow=local -Wnon-virtual-dtor -Wpedantic)
+  target_compile_options(${target} ${scope} -ffp-contract=off -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local> -Wnon-virtual-dtor -Wpedantic)
   if(MEANDER_WERROR)
     target_compile_options(${target} ${scope} -Werror)
   endif()

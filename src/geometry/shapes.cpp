@@ -14,6 +14,8 @@ template <class... Case>
 struct Overload : Case... {
   using Case::operator()...;
 };
+template <class... Case>
+Overload(Case...) -> Overload<Case...>;  // clang 14 does not deduce it by itself
 
 double doubled_area(const std::vector<Vec2>& ring) {
   double sum = 0;
