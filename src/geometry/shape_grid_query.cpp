@@ -45,9 +45,11 @@ NearestHit ShapeGrid::cast(NearestHit nearest, const Wall* walls, const Vec2& or
   const Vec2 corner = frame_.low + frame_.side * Vec2(column, row);
   const bool right = per_metre.x() > 0, up = per_metre.y() > 0;
   const Vec2 border = corner + frame_.side * Vec2(right, up);
-  // By axis: where the ray crosses the next border, how much later the one after it, and what the step does.
-  double next[2] = {(border.x() - origin.x()) * per_metre.x(), (border.y() - origin.y()) * per_metre.y()};
-  const double delta[2] = {frame_.side * std::abs(per_metre.x()), frame_.side * std::abs(per_metre.y())};
+  // Where the ray crosses the next border of either axis. What a step does is looked up by its axis, because a branch
+  // would be guessed wrong half the time.
+  double next_x = (border.x() - origin.x()) * per_metre.x(), next_y = (border.y() - origin.y()) * per_metre.y();
+  const double later_x[2] = {frame_.side * std::abs(per_metre.x()), 0};
+  const double later_y[2] = {0, frame_.side * std::abs(per_metre.y())};
   const std::ptrdiff_t stride[2] = {right ? 1 : -1, up ? frame_.columns : -frame_.columns};
   // The ray's line in a cell is ux * y - uy * x = offset, from the cell's corner.
   double offset = cross(direction, origin - corner);
@@ -66,11 +68,12 @@ NearestHit ShapeGrid::cast(NearestHit nearest, const Wall* walls, const Vec2& or
       }
     }
     for (const PoleCopy& pole : poles_.items(cell->poles)) nearest.meet_pole(pole.disc, pole.owner);
-    const bool axis = next[1] < next[0];  // an index, because a branch here would be guessed wrong half the time
-    if (next[axis] >= std::min(nearest.range(), leave)) return nearest;
+    if (std::min(next_x, next_y) >= std::min(nearest.range(), leave)) return nearest;
+    const bool axis = next_y < next_x;
     cell += stride[axis];
-    next[axis] += delta[axis];
     offset += shift[axis];
+    next_x += later_x[axis];
+    next_y += later_y[axis];
   }
 }
 

@@ -36,8 +36,7 @@ std::string corners_of(const Shape& shape) {
 TEST(ShapeIndex, SolidsLieLeftOfTheirWallsAndConvexCornersAreMarked) {
   const std::vector<Vec2> ell{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}};
   EXPECT_EQ(corners_of(Polygon{ell, {}}), "AAA-AA");
-  EXPECT_EQ(corners_of(Polygon{{ell.rbegin(), ell.rend()}, {}}),
-            "AAAA-A");
+  EXPECT_EQ(corners_of(Polygon{{ell.rbegin(), ell.rend()}, {}}), "AAAA-A");
   EXPECT_EQ(corners_of(Polygon{{{0, 0}, {2, 0}, {4, 0}, {4, 4}}, {}}), "A-AA");
   const Polygon frame{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{3, 3}, {6, 3}, {6, 6}, {3, 6}}}};
   EXPECT_EQ(corners_of(frame), "AAAA----");
