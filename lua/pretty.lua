@@ -37,6 +37,13 @@ local function sorted_keys(t, length)
   return keys
 end
 
+-- Where it was written; an address would tell nobody anything.
+local function function_text(value)
+  local source = debug.getinfo(value, "S")
+  if source.what == "C" then return "function" end
+  return ("function of %s:%d"):format(source.short_src, source.linedefined)
+end
+
 local show
 
 local function key_text(key, state)
@@ -73,6 +80,7 @@ end
 
 function show(value, state, depth)
   if type(value) == "string" then return quoted(value) end
+  if type(value) == "function" then return function_text(value) end
   if type(value) ~= "table" then return tostring(value) end
   local meta = getmetatable(value)
   if type(meta) == "table" and rawget(meta, "__tostring") then return tostring(value) end

@@ -10,6 +10,7 @@
 #include "app/command_line.hpp"
 #include "app/near_path.hpp"
 #include "app/output.hpp"
+#include "app/progress.hpp"
 #include "repl/prompt.hpp"
 #include "script/interpreter.hpp"
 
@@ -79,6 +80,7 @@ int run(CommandLine line) {
   }
   Interpreter lua(line.lua_dir);
   lua.session().terminal = isatty(STDOUT_FILENO) && !plain_terminal();
+  lua.session().progress = progress_line();
   const int code = run_batch(lua, line);
   if (!line.interactive) return code;
   return repl::run_prompt(lua, {.version = MEANDER_VERSION, .start_up = !line.no_rc});

@@ -139,6 +139,7 @@ Outcome Interpreter::run_loaded(int arguments, bool echo) {
     done = call_reporting(L_, lua_gettop(L_) - first, outcome);
     if (done) outcome.echo = pop_text(L_);
   }
+  if (session_.progress) session_.progress(1, "");
   if (!done) outcome.kind = Outcome::Kind::failed;
   if (session_.stop.requested()) outcome.kind = Outcome::Kind::interrupted;
   lua_settop(L_, first - 1);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <functional>
+#include <string_view>
+
+namespace meander {
+
+/// Shows on one line of the terminal behind stderr how far long work is and how long it will take. Work that ends soon
+/// shows nothing; a fraction of 1 takes the line away. Empty where stderr is no terminal that can rewrite a line.
+std::function<void(double fraction, std::string_view label)> progress_line();
+
+}  // namespace meander
