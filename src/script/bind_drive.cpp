@@ -43,6 +43,7 @@ std::vector<RunRecord> drive_all(const std::shared_ptr<Sim>& sim, const DriveTab
   };
   if (table.pilots.empty()) add(table);
   for (const PilotTable& pilot : table.pilots) add(pilot);
+  const InUse in_use(call.L, sim.get(), "sim");
   std::vector<Run> runs = drive(*sim, pilots, table.options, call.work(), watcher(sim, table.on_step));
   const auto world = std::make_shared<const World>(sim->world());
   std::vector<RunRecord> records;

@@ -37,11 +37,15 @@ SimPtr make(const SimTable& table) {
   return std::make_shared<Sim>(table.world.value, std::move(robots), table.options);
 }
 
-Observation step(Sim& sim, const CommandArgument& commands, const std::optional<double>& w) {
+Observation step(Sim& sim, const CommandArgument& commands, const std::optional<double>& w, const Call& call) {
+  const InUse in_use(call.L, &sim, "sim");
   sim.step(commands.for_robots(sim.robot_count(), w));
   return sim.observation();
 }
-void reset(Sim& sim, const std::optional<std::uint64_t>& seed) { sim.reset(seed.value_or(sim.options().seed)); }
+void reset(Sim& sim, const std::optional<std::uint64_t>& seed, const Call& call) {
+  const InUse in_use(call.L, &sim, "sim");
+  sim.reset(seed.value_or(sim.options().seed));
+}
 SimPtr fork(const Sim& sim) { return std::make_shared<Sim>(sim.fork()); }
 std::string hash(const Sim& sim) { return fmt::format("{:016x}", sim.hash()); }
 

@@ -35,4 +35,9 @@ std::size_t native_size(const Run& run) {
   return sizeof(Run) + run.steps.size() * (sizeof(RunStep) + sonars * sizeof(float));
 }
 
+std::size_t native_size(const Observation& observation) {
+  const Readings& readings = observation.readings;
+  return sizeof(Observation) + readings.sonar.size() * (sizeof(double) + sizeof(Pose2)) + readings.bumper.size();
+}
+
 }  // namespace meander

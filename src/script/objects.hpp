@@ -13,6 +13,7 @@ namespace meander {
 std::size_t native_size(const World& world);
 std::size_t native_size(const Sim& sim);
 std::size_t native_size(const Run& run);
+std::size_t native_size(const Observation& observation);
 
 }  // namespace meander
 

@@ -18,6 +18,10 @@ struct Reading {
   std::vector<double> ranges;
 };
 
+inline std::size_t native_size(const Reading& reading) {
+  return sizeof(Reading) + meander::native_size(*reading.world);
+}
+
 struct ScanTable {
   Required<std::shared_ptr<World>> world;
   std::optional<PoseOption> pose;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "script/session.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 
@@ -28,6 +29,12 @@ void attach(lua_State* L, Session& session) {
   lua_setfield(L, -2, "__gc");
   lua_setmetatable(L, -2);
   lua_rawsetp(L, LUA_REGISTRYINDEX, &kSentinel);
+}
+
+InUse::InUse(lua_State* L, const void* object, const char* name) : in_use_(session(L).in_use) {
+  if (std::find(in_use_.begin(), in_use_.end(), object) != in_use_.end())
+    fail<Error>("the {} is at work; functions that it calls may look at it, but not drive it", name);
+  in_use_.push_back(object);
 }
 
 Work work_of(lua_State* L) {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/work.hpp"
 #include "script/docs.hpp"
@@ -31,7 +32,8 @@ struct Session {
   bool terminal = false;  ///< pictures may use colours and escape codes
   Docs docs;
   std::shared_ptr<StateLife> life = std::make_shared<StateLife>();
-  std::size_t native_debt = 0;  ///< bytes of native objects made since Lua's collector was last told
+  std::vector<const void*> in_use;  ///< objects that a call in progress must not find changed
+  std::size_t native_debt = 0;      ///< bytes of native objects made since Lua's collector was last told
 };
 
 /// Ties the session to a fresh state: first call after luaL_newstate, before any coroutine is made.
@@ -53,6 +55,18 @@ class RunningScope {
  private:
   StateLife& life_;
   lua_State* before_;
+};
+/// Keeps other calls from changing an object while one is at work on it that may call back into Lua: they throw "the
+/// sim is at work; ...".
+class InUse {
+ public:
+  InUse(lua_State* L, const void* object, const char* name);
+  ~InUse() { in_use_.pop_back(); }
+  InUse(const InUse&) = delete;
+  InUse& operator=(const InUse&) = delete;
+
+ private:
+  std::vector<const void*>& in_use_;
 };
 /// Stop token and progress for a long computation called from this state.
 Work work_of(lua_State* L);

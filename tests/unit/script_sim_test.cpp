@@ -211,6 +211,25 @@ TEST_F(SimScript, MessagesOfTheCommonMistakes) {
   for (const auto& [script, message] : cases) EXPECT_EQ(run(script), std::string("error: test:") + message) << script;
 }
 
+TEST_F(SimScript, CallbacksMayLookButNotDrive) {
+  for (const char* call : {"sim:reset()", "sim:step(0, 0)", "sim:drive { navigator = home, subgoals = { {3, 1} } }"}) {
+    const std::string name = std::string(call).substr(0, std::string(call).find_first_of("( "));
+    const std::string message =
+        "error: test:1: " + name + ": the sim is at work; functions that it calls may look at it, but not drive it";
+    EXPECT_EQ(run("sim:drive { navigator = home, guide = function() " + std::string(call) + " return {3, 1} end }"),
+              message);
+    EXPECT_EQ(run("sim:drive { navigator = function() " + std::string(call) + " end, subgoals = { {3, 1} } }"),
+              message);
+    EXPECT_EQ(run("sim:drive { navigator = home, subgoals = { {3, 1} }, on_step = function() " + std::string(call) +
+                  " end }"),
+              message);
+  }
+  EXPECT_EQ(run("local other sim:drive { navigator = home, subgoals = { {3, 1} }, on_step = function(s)\n"
+                "  other = s:fork() other:step(0.1, 0) return false end }\n"
+                "sim:reset() return other.time > sim.time"),
+            "true");
+}
+
 TEST_F(SimScript, StopsInTheMiddleOfADrive) {
   EXPECT_EQ(run("stop_at = 20 n = 0"), "");
   lua_pushlightuserdata(L, &session_.stop);
