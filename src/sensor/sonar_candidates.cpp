@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/segment.hpp"
+
 namespace meander::sonar {
 namespace {
 
@@ -60,7 +62,7 @@ void fill_blocks(Shelf<Thing, Block>& shelf, const Vec2& center, double radius) 
     shelf.blocks.push_back(block_of(things.subspan(i, std::min(kBlock, things.size() - i)), center, radius));
 }
 
-double distance(const Face& face, const Vec2& p) { return distance_to_segment(p, face.a, face.b); }
+double distance(const Face& face, const Vec2& p) { return std::sqrt(squared_distance_to_segment(p, face.a, face.b)); }
 double distance(const Pole& pole, const Vec2& p) { return (pole.disc.center - p).norm() - pole.disc.radius; }
 
 }  // namespace

@@ -24,6 +24,12 @@ double Cone::first_echo(const Candidates& list, const View& view, const Wedge& w
   return best_;
 }
 
+double Cone::nearest() const {
+  double nearest = bound_;
+  for (const Piece& piece : in_wedge_.pieces) nearest = std::min(nearest, piece.near);
+  return nearest;
+}
+
 void Cone::look_at_moving(const Candidates& list, const Cull& cull) {
   for (std::size_t block = 0; block < list.moving().blocks.size(); ++block)
     for_bits(cull.may_touch(list.moving().blocks[block]), block,
@@ -47,7 +53,7 @@ void Cone::look_at(const Candidates& list, const Cull& cull, const Outward& walk
     for_bits(cull.may_touch(list.poles().blocks[block]), block,
              [&](std::uint32_t i) { in_wedge_.add(list.poles().things[i], i, bound_); });
   }
-  cover();
+  if (covered_ < in_wedge_.pieces.size()) cover();
 }
 
 /// Once pieces that reach in from both borders meet, nothing behind them can be heard.

@@ -16,8 +16,8 @@ class Cone {
 
   /// After first_echo: everything in the wedge that is nearer than the echo (and more).
   const WedgeView& in_wedge() const { return in_wedge_; }
-  /// After first_echo: nothing farther than this is visible, or mattered.
-  double known() const { return bound_; }
+  /// After first_echo: nothing in the wedge is nearer than this [m].
+  double nearest() const;
 
  private:
   void look_at(const Candidates& list, const Cull& cull, const Outward& walk);

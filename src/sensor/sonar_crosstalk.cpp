@@ -100,10 +100,11 @@ double Crosstalk::find_hearers(const SinCos& open, std::span<Ear> ears, const Ea
     // The way to the wall is at most half the whole way and half the way between the two.
     const double between = (ear.view.origin - sender.view.origin).norm();
     const double reach = std::min(common_reach(open, sender.view, ear.view, between), ear.range + between / 2);
+    if (reach + kTouch < sender.nearest) continue;
     hearers_.push_back({&ear, reach + kTouch});
-    most = std::max(most, reach);
+    most = std::max(most, reach + kTouch);
   }
-  return most + kTouch;
+  return most;
 }
 
 void Crosstalk::hear_each_other(const Candidates& list, std::span<const Reflector> reflectors, const Lobes& lobes,
@@ -111,6 +112,7 @@ void Crosstalk::hear_each_other(const Candidates& list, std::span<const Reflecto
   const SinCos open = opening(lobes);
   for (const Ear& sender : ears) {
     const double most = find_hearers(open, ears, sender), shift = (sender.view.origin - list.center()).norm();
+    if (hearers_.empty()) continue;
     const Cull cull = list.cull(sender.view, lobes.sent);
     const auto over = [&](const Face& wall) {
       const double depth = cross(wall.along, sender.view.origin - wall.a);

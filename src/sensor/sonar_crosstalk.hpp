@@ -8,7 +8,8 @@ namespace meander::sonar {
 /// One of the transducers that fire together.
 struct Ear {
   View view;
-  double range;  ///< what it reads [m]
+  double range;    ///< what it reads [m]
+  double nearest;  ///< nothing in its cone is nearer [m]
 };
 
 /// How transducers send and hear.

@@ -18,6 +18,7 @@ using namespace sonar;
 struct SonarRing::State {
   State(const RingLayout& l, const SonarOptions& o, std::uint64_t seed);
 
+  Vec2 center_ahead(const Vec2& place) const;
   void follow(const Scene& scene, std::span<const Pose2> poses, std::uint32_t self);
   void take_places(const Scene& scene, std::span<const Pose2> poses);
   void set_reflectors(double limit_shift);
@@ -42,6 +43,7 @@ struct SonarRing::State {
   std::vector<View> views;             ///< of this scan, per transducer
   std::vector<std::uint8_t> touching;  ///< per transducer
   std::vector<double> echoes;          ///< undisturbed ranges, per transducer
+  std::vector<double> nearest;         ///< of anything in the cone, per transducer
   std::vector<Reflector> reflectors;   ///< per material of the list, for the incidence limit shifted by ...
   double reflectors_shift = 0;
   Cone cone;
@@ -92,6 +94,14 @@ SonarRing::State::State(const RingLayout& l, const SonarOptions& o, std::uint64_
   views.resize(layout.count);
   touching.resize(layout.count);
   echoes.resize(layout.count);
+  nearest.resize(layout.count);
+}
+
+/// Where to gather: ahead on the way out of the old list, so that the new one serves on a longer way.
+Vec2 SonarRing::State::center_ahead(const Vec2& place) const {
+  const Vec2 way = place - list.center();
+  const double length = way.norm();
+  return length > 0 && length < 2 * kRoam ? Vec2(place + way * (0.8 * kRoam / length)) : place;
 }
 
 /// Keeps the candidate list as long as it serves.
@@ -105,7 +115,7 @@ void SonarRing::State::follow(const Scene& scene, std::span<const Pose2> poses, 
   if (index != walls.identity() || !(away <= roam) ||
       (revision != walls.revision() && walls.touched_since(revision, list.center(), list.radius()))) {
     roam = kRoam + spread;
-    list.gather(walls, poses.front().position(), options.range_max + layout.radius + roam);
+    list.gather(walls, center_ahead(poses.front().position()), options.range_max + layout.radius + roam);
     contact.forget();
     reflectors.clear();
   }
@@ -140,6 +150,7 @@ double SonarRing::State::listen(int i) {
   if (touching[i]) return options.range_min;
   const double shift = (views[i].origin - list.center()).norm();
   const double direct = cone.first_echo(list, views[i], wedge, hearing, reflectors, shift, options.range_max);
+  nearest[i] = cone.nearest();
   return options.bounce ? bounce.first_echo(list, cone, shift, direct) : direct;
 }
 
@@ -149,7 +160,7 @@ void SonarRing::State::listen_together() {
   for (int group = 0; group < groups; ++group) {
     ears.clear();
     for (int i = group; i < layout.count; i += groups)
-      if (!touching[i]) ears.push_back({views[i], echoes[i]});
+      if (!touching[i]) ears.push_back({views[i], echoes[i], nearest[i]});
     crosstalk.hear_each_other(list, reflectors, lobes, ears);
     std::size_t ear = 0;
     for (int i = group; i < layout.count; i += groups)
