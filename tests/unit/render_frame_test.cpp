@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <regex>
+#include <sstream>
 
 #include "base/random.hpp"
 #include "render/unicode.hpp"
@@ -23,18 +23,16 @@ struct Seen {
 class Screen {
  public:
   void feed(const std::string& bytes) {
-    static const std::regex sequence("^\x1b\\[(\\??[0-9;]*)([A-Za-z])");
     for (std::size_t at = 0; at < bytes.size();) {
-      std::smatch match;
-      const std::string rest = bytes.substr(at, 48);
-      if (rest[0] == '\x1b') {
-        if (!std::regex_search(rest, match, sequence)) FAIL() << "unknown sequence";
-        control(match[1], match[2].str()[0]);
-        at += static_cast<std::size_t>(match.length());
-      } else if (rest[0] == '\n') {
+      if (bytes[at] == '\x1b') {
+        const std::size_t end = bytes.find_first_not_of("0123456789;?", at + 2);
+        ASSERT_TRUE(bytes.substr(at, 2) == "\x1b[" && end != std::string::npos) << "unknown sequence";
+        control(bytes.substr(at + 2, end - at - 2), bytes[end]);
+        at = end + 1;
+      } else if (bytes[at] == '\n') {
         ++row_, column_ = 1, ++at;
       } else {
-        const char32_t code = code_points(rest).front();
+        const char32_t code = code_points(bytes.substr(at, 4)).front();
         std::string sign;
         append_utf8(sign, code);
         at += sign.size();
@@ -48,9 +46,8 @@ class Screen {
   void control(const std::string& numbers, char kind) {
     if (numbers == "?2026") return;
     std::vector<std::string> parts;
-    static const std::regex separator(";");
-    for (std::sregex_token_iterator it(numbers.begin(), numbers.end(), separator, -1), end; it != end; ++it)
-      parts.push_back(*it);
+    std::istringstream stream(numbers);
+    for (std::string part; std::getline(stream, part, ';');) parts.push_back(part);
     if (kind == 'H') {
       row_ = std::stoi(parts.at(0)), column_ = std::stoi(parts.at(1));
     } else if (kind == 'C') {
