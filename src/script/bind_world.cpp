@@ -61,10 +61,7 @@ std::string text(const World& world) {
 
 bool equal(const World& a, const World& b) { return a == b; }
 
-}  // namespace
-
-void bind_world(lua_State* L) {
-  Type<World> type(L, "The truth: walls, doors, movers, lights and named places. Every edit can be undone.");
+void bind_reading(Type<World>& type) {
   type.method<&names>(Doc{.name = "names",
                           .text = "The names of the things in the order they were added.",
                           .args = {{"pattern", "only names that fit it: * any run of characters, ? one character"}},
@@ -113,8 +110,11 @@ void bind_world(lua_State* L) {
                          .text = "Writes the world (.toml) or its picture (.svg, .png), at once or not at all.",
                          .args = {{"path", "file name; the suffix says what is written"}},
                          .errors = "unknown suffix; the file cannot be written",
-                         .example = "meander.world.new {}:save(os.tmpname() .. '.toml')"})
-      .property<&title>(
+                         .example = "meander.world.new {}:save(os.tmpname() .. '.toml')"});
+}
+
+void bind_header(Type<World>& type) {
+  type.property<&title>(
           PropertyDoc{.name = "title", .text = "Its name.", .example = "print(meander.world.new {}.title)"})
       .property<&note>(PropertyDoc{
           .name = "note", .text = "What it shows, and its source.", .example = "print(meander.world.new {}.note)"})
@@ -125,10 +125,16 @@ void bind_world(lua_State* L) {
       .property<&start>(PropertyDoc{.name = "start",
                                     .text = "Where robots start, nil when it is not said.",
                                     .unit = "m, rad",
-                                    .example = "print(meander.world.new { start = {1, 1, 0} }.start)"})
-      .text<&text>()
-      .picture<&show>()
-      .equal<&equal>();
+                                    .example = "print(meander.world.new { start = {1, 1, 0} }.start)"});
+}
+
+}  // namespace
+
+void bind_world(lua_State* L) {
+  Type<World> type(L, "The truth: walls, doors, movers, lights and named places. Every edit can be undone.");
+  bind_reading(type);
+  bind_header(type);
+  type.text<&text>().picture<&show>().equal<&equal>();
 }
 
 }  // namespace meander::script
