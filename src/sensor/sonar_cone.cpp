@@ -5,11 +5,20 @@
 #include <algorithm>
 
 namespace meander::sonar {
+namespace {
+
+bool everything_answers(const Hearing& hearing, std::span<const Reflector> reflectors) {
+  return !hearing.incidence && hearing.strength == 1 &&
+         std::all_of(reflectors.begin(), reflectors.end(), [](const Reflector& r) { return r.strength == 1; });
+}
+
+}  // namespace
 
 double Cone::first_echo(const Candidates& list, const View& view, const Wedge& wedge, const Hearing& hearing,
                         std::span<const Reflector> reflectors, double shift, double most) {
   in_wedge_.start(view, wedge, hearing, reflectors);
   best_ = bound_ = most;
+  all_answer_ = everything_answers(hearing, reflectors);
   next_ = kNever;
   covered_ = heard_ = 0;
   cover_low_ = wedge.low, cover_high_ = wedge.high, cover_far_squared_ = 0;
@@ -43,7 +52,11 @@ void Cone::look_at(const Candidates& list, const Cull& cull, const Outward& walk
     const std::vector<Face>& faces = list.faces().things;
     const WallBlock& walls = list.faces().blocks[block];
     const Touched touched = cull.may_touch(walls);
-    for_bits(touched.walls, block, [&](std::uint32_t i) { in_wedge_.add(faces[i], i, bound_); });
+    for_bits(touched.walls, block, [&](std::uint32_t i) {
+      in_wedge_.add(faces[i], i, bound_);
+      // The nearest point of all is visible by itself: where everything answers, no echo needs to be settled.
+      if (all_answer_) bound_ = best_ = std::min(best_, lowest_echo());
+    });
     if (walk.reach() < in_wedge_.hearing.corner_range) {
       const auto& corner = [&](const Vec2& at, const Face& face) { in_wedge_.add_corner(at, face.kind, bound_); };
       for_bits(touched.a & walls.convex_a, block, [&](std::uint32_t i) { corner(faces[i].a, faces[i]); });

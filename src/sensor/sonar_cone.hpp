@@ -31,6 +31,7 @@ class Cone {
   double bound_ = 0;         ///< the first echo is not farther
   double best_ = 0;          ///< the first echo settled so far, or `most`
   double next_ = 0;          ///< least range of the echoes not yet settled
+  bool all_answer_ = false;  ///< at any incidence
   std::size_t covered_ = 0;  ///< pieces looked at by cover()
   std::size_t heard_ = 0;    ///< echoes counted in next_
   double cover_low_ = 0, cover_high_ = 0, cover_far_squared_ = 0;
