@@ -91,7 +91,7 @@ end
 local fitted
 if options.generations > 0 then
   local start = { preset }
-  for i = 2, options.population do start[i] = search.draw(random) end
+  for i = 2, options.population do start[i] = search.near(preset, random) end
   fitted = search.evolve(start, options.generations, function(point)
     return statistics.misfit(real, simulate(point, number, options.seed))
   end, random, options.jobs, function(generation, best)

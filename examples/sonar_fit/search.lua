@@ -22,10 +22,12 @@ search.parameters = {
 
 local function clamped(value, p) return math.max(p[2], math.min(p[3], value)) end
 
---- A point drawn between the bounds.
-function search.draw(random)
+--- A point drawn around `center`, each parameter within a quarter of its range.
+function search.near(center, random)
   local point = {}
-  for _, p in ipairs(search.parameters) do point[p[1]] = p[2] + (p[3] - p[2]) * random() end
+  for _, p in ipairs(search.parameters) do
+    point[p[1]] = clamped(center[p[1]] + 0.5 * (random() - 0.5) * (p[3] - p[2]), p)
+  end
   return point
 end
 
