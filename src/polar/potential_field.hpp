@@ -11,8 +11,8 @@ namespace meander {
 struct PotentialFieldOptions {
   double influence = 0.43;
   double attraction = 1;
-  double repulsion = 0.0017;
-  double attraction_reach = 0.3;
+  double repulsion = 0.0025;
+  double attraction_reach = 0.4;
   double turn_gain = 0.63;
   double margin = 0.02;
   double headway = 0.1;
