@@ -93,9 +93,9 @@ Place& place(const benchmark::State& state) {
   return made;
 }
 
-/// Runs one scan per iteration and notes the ratio to the baseline.
+/// Runs one scan per iteration and notes the ratio to the baseline. Returns the seconds per scan.
 template <class Scan>
-void run(benchmark::State& state, Place& here, const Scan& scan) {
+double run(benchmark::State& state, Place& here, const Scan& scan) {
   std::size_t i = 1;
   const std::clock_t start = std::clock();  // of the processor: the machine may be busy
   for (auto _ : state) {
@@ -104,9 +104,9 @@ void run(benchmark::State& state, Place& here, const Scan& scan) {
   }
   const double seconds =
       static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / static_cast<double>(state.iterations());
-  if (here.brute_seconds == 0) here.brute_seconds = seconds;
-  state.counters["brute/this"] = here.brute_seconds / seconds;
+  if (here.brute_seconds > 0) state.counters["brute/this"] = here.brute_seconds / seconds;
   state.SetLabel(fmt::format("{} walls", here.walls.size()));
+  return seconds;
 }
 
 template <class Cast>
@@ -135,7 +135,7 @@ double cast_all(const std::vector<Wall>& walls, const Vec2& o, const Vec2& u, do
 
 void brute(benchmark::State& state) {
   Place& here = place(state);
-  run(state, here, [&](std::size_t i) {
+  here.brute_seconds = run(state, here, [&](std::size_t i) {
     benchmark::DoNotOptimize(bundles(
         here.path[i], [&](const Vec2& o, const Vec2& u, double most) { return cast_all(here.walls, o, u, most); }));
   });
