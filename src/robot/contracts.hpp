@@ -21,8 +21,9 @@ struct Subgoal {
 enum class NavigatorStatus { driving, arrived, trapped };
 template <>
 struct EnumNames<NavigatorStatus> {
-  static constexpr std::pair<NavigatorStatus, const char*> entries[] = {
-      {NavigatorStatus::driving, "driving"}, {NavigatorStatus::arrived, "arrived"}, {NavigatorStatus::trapped, "trapped"}};
+  static constexpr std::pair<NavigatorStatus, const char*> entries[] = {{NavigatorStatus::driving, "driving"},
+                                                                        {NavigatorStatus::arrived, "arrived"},
+                                                                        {NavigatorStatus::trapped, "trapped"}};
 };
 
 struct NavigatorStep {

@@ -14,15 +14,15 @@ namespace meander {
 /// Errors of dead reckoning. Systematic parts scale the motion, random parts add noise that grows with the root of the
 /// way (Thrun, Burgard, Fox 2005, ch. 5.4: rotation and translation noise per unit of each).
 struct DriftOptions {
-  double distance_bias = 0;    ///< relative error of distances
-  double turn_bias = 0;        ///< relative error of turns
-  double veer = 0;             ///< [rad/m] turn reported per metre driven straight
-  double distance_noise = 0;   ///< [m per root metre]
-  double turn_noise = 0;       ///< [rad per root radian]
-  double veer_noise = 0;       ///< [rad per root metre]
+  double distance_bias = 0;   ///< relative error of distances
+  double turn_bias = 0;       ///< relative error of turns
+  double veer = 0;            ///< [rad/m] turn reported per metre driven straight
+  double distance_noise = 0;  ///< [m per root metre]
+  double turn_noise = 0;      ///< [rad per root radian]
+  double veer_noise = 0;      ///< [rad per root metre]
 };
 template <class Options, class Visitor>
-  requires std::same_as<std::remove_const_t<Options>, DriftOptions>
+requires std::same_as<std::remove_const_t<Options>, DriftOptions>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"distance_bias", "", "relative error of distances", -0.9, 10}, o.distance_bias);
   visit(Field{"turn_bias", "", "relative error of turns", -0.9, 10}, o.turn_bias);

@@ -23,7 +23,8 @@ struct Odometry {
   double w = 0;
 };
 
-/// One sensor suite's output of one control cycle. Arrays are in ring order, first transducer forward, counter-clockwise.
+/// One sensor suite's output of one control cycle. Arrays are in ring order, first transducer forward,
+/// counter-clockwise.
 struct Readings {
   std::vector<double> sonar;         ///< ranges [m]; the maximum range: no echo
   std::vector<Pose2> sonar_pose;     ///< odometry pose of the robot at which each was taken

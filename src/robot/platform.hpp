@@ -19,7 +19,7 @@ struct Body {
   double a_w = 1.0471975511965976;
 };
 template <class Options, class Visitor>
-  requires std::same_as<std::remove_const_t<Options>, Body>
+requires std::same_as<std::remove_const_t<Options>, Body>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"radius", "m", "radius of the round body", 0.01, 10}, o.radius);
   visit(Field{"v_max", "m/s", "largest forward speed", 0, 100}, o.v_max);
@@ -36,7 +36,7 @@ struct RingLayout {
   double first = 0;      ///< bearing of the first [rad]
 };
 template <class Options, class Visitor>
-  requires std::same_as<std::remove_const_t<Options>, RingLayout>
+requires std::same_as<std::remove_const_t<Options>, RingLayout>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"count", "", "number of transducers", 0, 1024}, o.count);
   visit(Field{"radius", "m", "radius of the circle that the transducers sit on", 0, 10}, o.radius);
@@ -52,7 +52,7 @@ struct Platform {
   double period = 0.33;  ///< control cycle [s]
 };
 template <class Options, class Visitor>
-  requires std::same_as<std::remove_const_t<Options>, Platform>
+requires std::same_as<std::remove_const_t<Options>, Platform>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"name", "", "name of the platform"}, o.name);
   visit(Field{"body", "", "size and limits of the body"}, o.body);
