@@ -35,8 +35,8 @@ enum class Mark : std::uint8_t {
   start,
   goal,
   contact,
-  robot,
   label,
+  robot,
 };
 inline constexpr int kMarks = 18;
 

@@ -37,8 +37,9 @@ void Lettering::write(const DrawText& text) {
   const int shift = text.align == Align::left ? 0 : text.align == Align::center ? length / 2 : length;
   const int row = std::min(static_cast<int>(at.y() / 2), frame_.rows - 1);
   const int first = std::clamp(static_cast<int>(at.x()) - shift, 0, frame_.columns - length);
-  if (crowded(first, length, row) || covers(text.mark, first, length, row)) return;
-  for (int i = 0; i < length; ++i) put(first + i, row, words[static_cast<std::size_t>(i)], text.color, text.halo);
+  const auto line = free_line(text.mark, first, length, row);
+  if (!line) return;
+  for (int i = 0; i < length; ++i) put(first + i, *line, words[static_cast<std::size_t>(i)], text.color, text.halo);
 }
 
 void Lettering::write(const DrawBody& body) {
@@ -48,12 +49,24 @@ void Lettering::write(const DrawBody& body) {
   put(static_cast<int>(at.x()), static_cast<int>(at.y() / 2), arrow(*body.heading, frame_.mode), body.nose, body.color);
 }
 
+/// Names give way to what they would hide (the gap of a door above all) by a line, if there is room. Texts that belong
+/// to a mark, like the numbers of goals, stay where they are.
+std::optional<int> Lettering::free_line(Mark mark, int first, int length, int row) const {
+  if (mark == Mark::label)
+    for (const int line : {row, row - 1, row + 1})
+      if (line >= 0 && line < frame_.rows && !crowded(first, length, line) && !covers(Mark::light, first, length, line))
+        return line;
+  if (crowded(first, length, row) || covers(mark, first, length, row)) return std::nullopt;
+  return row;
+}
+
 bool Lettering::crowded(int first, int length, int row) const {
   for (int i = std::max(0, first - 1); i < std::min(frame_.columns, first + length + 1); ++i)
     if (taken_[index(i, row)]) return true;
   return false;
 }
 
+/// Is any mark above `mark` shown there?
 bool Lettering::covers(Mark mark, int first, int length, int row) const {
   const auto begin = shown_.begin() + static_cast<std::ptrdiff_t>(index(first, row));
   return std::any_of(begin, begin + length, [&](Mark below) { return below > mark; });

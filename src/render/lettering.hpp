@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "render/frame.hpp"
@@ -23,6 +23,7 @@ class Lettering {
   void write(const DrawBody& body);
 
  private:
+  std::optional<int> free_line(Mark mark, int first, int length, int row) const;
   bool crowded(int first, int length, int row) const;
   bool covers(Mark mark, int first, int length, int row) const;
   void put(int column, int row, char32_t code, Color ink, Color halo);

@@ -22,7 +22,7 @@ struct Symbol {
 constexpr Symbol kSymbols[kMarks] = {
     {' ', ""},      {' ', ""},           {' ', ""},     {' ', ""},        {':', "sonar cone"}, {'o', "place"},
     {'*', "light"}, {'\'', "open door"}, {'#', "wall"}, {'+', "door"},    {'m', "mover"},      {'.', "path"},
-    {'^', "echo"},  {'S', "start"},      {'G', "goal"}, {'x', "contact"}, {'@', "robot"},      {'-', ""}};
+    {'^', "echo"},  {'S', "start"},      {'G', "goal"}, {'x', "contact"}, {'-', ""},           {'@', "robot"}};
 
 const Symbol& symbol(Mark mark) { return kSymbols[static_cast<std::size_t>(mark)]; }
 

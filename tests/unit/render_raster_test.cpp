@@ -55,7 +55,7 @@ TEST(Raster, AbsurdSizesAreRefused) {
 
 TEST(Raster, YPointsUp) {
   DrawList list = square(10);
-  list.items.push_back(DrawArea{{{{0, 0}, {10, 0}, {10, 5}, {0, 5}}, {}}, kRed});
+  list.items.emplace_back(DrawArea{{{{0, 0}, {10, 0}, {10, 5}, {0, 5}}, {}}, kRed});
   const Image image = raster(list, {20, 0});
   EXPECT_EQ(pixel(image, 10, 15), kRed);
   EXPECT_EQ(pixel(image, 10, 4), (Color{255, 255, 255}));
@@ -63,14 +63,14 @@ TEST(Raster, YPointsUp) {
 
 TEST(Raster, LaterMarksCoverEarlierOnesWhateverTheOrder) {
   DrawList list = square(10);
-  list.items.push_back(DrawDisc{{{5, 5}, 3}, kBlue, Mark::robot});
-  list.items.push_back(DrawDisc{{{5, 5}, 4}, kRed, Mark::wall});
+  list.items.emplace_back(DrawDisc{{{5, 5}, 3}, kBlue, Mark::robot});
+  list.items.emplace_back(DrawDisc{{{5, 5}, 4}, kRed, Mark::wall});
   EXPECT_EQ(pixel(raster(list, {50, 0}), 25, 25), kBlue);
 }
 
 TEST(Raster, HolesStayOpenAndOpacityBlends) {
   DrawList list = square(10);
-  list.items.push_back(
+  list.items.emplace_back(
       DrawArea{{{{1, 1}, {9, 1}, {9, 9}, {1, 9}}, {{{4, 4}, {4, 6}, {6, 6}, {6, 4}}}}, {255, 0, 0, 51}});
   const Image image = raster(list, {100, 0});
   EXPECT_EQ(pixel(image, 50, 50), (Color{255, 255, 255}));
@@ -82,7 +82,7 @@ TEST(Raster, HairlinesAreSeen) {
   for (int round = 0; round < 100; ++round) {
     DrawList list = square(1000);
     const double x = random.uniform(5, 995);
-    list.items.push_back(DrawPolyline{{{x, 0}, {x, 1000}}, false, 0, {0, 0, 0}});
+    list.items.emplace_back(DrawPolyline{{{x, 0}, {x, 1000}}, false, 0, {0, 0, 0}});
     const Image image = raster(list, {40, 0});
     int ink = 0;
     for (int column = 0; column < 40; ++column) ink += 255 - pixel(image, column, 20).r;
@@ -93,7 +93,7 @@ TEST(Raster, HairlinesAreSeen) {
 
 TEST(Raster, CellsLieWhereTheirFrameSays) {
   DrawList list = square(4);
-  list.items.push_back(DrawCells{{3, 1, kPi / 2}, 1, 2, 1, {kRed, kBlue}, {}});  // runs upwards from (3, 1)
+  list.items.emplace_back(DrawCells{{3, 1, kPi / 2}, 1, 2, 1, {kRed, kBlue}, {}});  // runs upwards from (3, 1)
   const Image image = raster(list, {40, 0});
   EXPECT_EQ(pixel(image, 25, 25), kRed);
   EXPECT_EQ(pixel(image, 25, 15), kBlue);
@@ -102,10 +102,10 @@ TEST(Raster, CellsLieWhereTheirFrameSays) {
 
 TEST(Raster, FarPointsDrawWhatTheirNearPartsWould) {
   DrawList far = square(10), near = square(10);
-  far.items.push_back(DrawArea{{{{2, -1e9}, {8, -1e9}, {8, 1e9}, {2, 1e9}}, {}}, kRed});
-  near.items.push_back(DrawArea{{{{2, -5}, {8, -5}, {8, 15}, {2, 15}}, {}}, kRed});
-  far.items.push_back(DrawPolyline{{{-1e9, 5}, {1e9, 5}}, false, 0.5, kBlue});
-  near.items.push_back(DrawPolyline{{{-5, 5}, {15, 5}}, false, 0.5, kBlue});
+  far.items.emplace_back(DrawArea{{{{2, -1e9}, {8, -1e9}, {8, 1e9}, {2, 1e9}}, {}}, kRed});
+  near.items.emplace_back(DrawArea{{{{2, -5}, {8, -5}, {8, 15}, {2, 15}}, {}}, kRed});
+  far.items.emplace_back(DrawPolyline{{{-1e9, 5}, {1e9, 5}}, false, 0.5, kBlue});
+  near.items.emplace_back(DrawPolyline{{{-5, 5}, {15, 5}}, false, 0.5, kBlue});
   EXPECT_EQ(raster(far, {64, 0}), raster(near, {64, 0}));
 }
 
@@ -117,12 +117,12 @@ TEST(Raster, NastyItemsAreHarmless) {
   const auto point = [&] { return Vec2(value(), value()); };
   for (int round = 0; round < 400; ++round) {
     DrawList list = square(1);
-    list.items.push_back(DrawPolyline{{point(), point(), point()}, random.chance(0.5), value(), kRed});
-    list.items.push_back(DrawArea{{{point(), point(), point()}, {{point()}, {}}}, kRed});
-    list.items.push_back(DrawDisc{{point(), value()}, kRed});
-    list.items.push_back(DrawText{point(), std::string("\x1b\xff\n<&>", 6), value(), kRed, kBlue});
-    list.items.push_back(DrawCells{{value(), value(), value()}, value(), 1, 1, {kRed}, {}});
-    list.items.push_back(DrawBody{{point(), value()}, value(), kRed, kBlue});
+    list.items.emplace_back(DrawPolyline{{point(), point(), point()}, random.chance(0.5), value(), kRed});
+    list.items.emplace_back(DrawArea{{{point(), point(), point()}, {{point()}, {}}}, kRed});
+    list.items.emplace_back(DrawDisc{{point(), value()}, kRed});
+    list.items.emplace_back(DrawText{point(), std::string("\x1b\xff\n<&>", 6), value(), kRed, kBlue});
+    list.items.emplace_back(DrawCells{{value(), value(), value()}, value(), 1, 1, {kRed}, {}});
+    list.items.emplace_back(DrawBody{{point(), value()}, value(), kRed, kBlue});
     const Image image = raster(list, {1 + random.below(30), 0});
     ASSERT_EQ(image.pixels.size(), static_cast<std::size_t>(image.width * image.height * 3));
   }
@@ -130,8 +130,8 @@ TEST(Raster, NastyItemsAreHarmless) {
 
 TEST(Raster, EqualListsGiveEqualPictures) {
   DrawList list = square(10);
-  list.items.push_back(DrawText{{2, 2}, "Kitchen", 1.5, kRed, {0, 0, 0, 100}, Align::left});
-  list.items.push_back(DrawBody{{{5, 5}, 2}, 0.4, kRed, kBlue});
+  list.items.emplace_back(DrawText{{2, 2}, "Kitchen", 1.5, kRed, {0, 0, 0, 100}, Align::left});
+  list.items.emplace_back(DrawBody{{{5, 5}, 2}, 0.4, kRed, kBlue});
   EXPECT_EQ(raster(list, {120, 0}), raster(list, {120, 0}));
 }
 

@@ -85,22 +85,22 @@ DrawList random_list(Stream& random) {
     const double size = random.uniform(-1, 8);
     switch (random.below(6)) {
       case 0:
-        list.items.push_back(DrawPolyline{{point(), point(), point()}, random.chance(0.5), size, color()});
+        list.items.emplace_back(DrawPolyline{{point(), point(), point()}, random.chance(0.5), size, color()});
         break;
       case 1:
-        list.items.push_back(DrawArea{{{point(), point(), point(), point()}, {}}, color()});
+        list.items.emplace_back(DrawArea{{{point(), point(), point(), point()}, {}}, color()});
         break;
       case 2:
-        list.items.push_back(DrawDisc{{point(), size * 10}, color(), Mark::wall, random.chance(0.5) ? 0 : 0.2});
+        list.items.emplace_back(DrawDisc{{point(), size * 10}, color(), Mark::wall, random.chance(0.5) ? 0 : 0.2});
         break;
       case 3:
-        list.items.push_back(DrawText{point(), "a<b>&\"\x01\xff", size, color(), color(), Align::center});
+        list.items.emplace_back(DrawText{point(), "a<b>&\"\x01\xff", size, color(), color(), Align::center});
         break;
       case 4:
-        list.items.push_back(DrawBody{{point(), size}, random.uniform(-9, 9), color(), color()});
+        list.items.emplace_back(DrawBody{{point(), size}, random.uniform(-9, 9), color(), color()});
         break;
       default:
-        list.items.push_back(DrawCells{{1, 2, random.uniform(-3, 3)}, 0.5, 2, 1, {color(), color()}, {}});
+        list.items.emplace_back(DrawCells{{1, 2, random.uniform(-3, 3)}, 0.5, 2, 1, {color(), color()}, {}});
     }
   }
   return list;
@@ -121,9 +121,9 @@ TEST(Svg, AnyListIsWellFormedAndRepeatable) {
 TEST(Svg, ASmallPictureIsThis) {
   DrawList list;
   list.view = {{0, 0}, {10, 5}};
-  list.items.push_back(DrawPolyline{{{1, 1}, {2, 1}, {2, 3.5}}, false, 0.1, {1, 2, 3}, Mark::path});
-  list.items.push_back(DrawDisc{{{5, 2.5}, 1}, {255, 0, 0, 128}, Mark::wall});
-  list.items.push_back(DrawText{{1, 4}, "A & B", 0.36, {0, 0, 0}});
+  list.items.emplace_back(DrawPolyline{{{1, 1}, {2, 1}, {2, 3.5}}, false, 0.1, {1, 2, 3}, Mark::path});
+  list.items.emplace_back(DrawDisc{{{5, 2.5}, 1}, {255, 0, 0, 128}, Mark::wall});
+  list.items.emplace_back(DrawText{{1, 4}, "A & B", 0.36, {0, 0, 0}});
   EXPECT_EQ(svg(list),
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1000\" height=\"500\" viewBox=\"0 0 1000 500\" "
             "stroke-linecap=\"round\" stroke-linejoin=\"round\" fill-rule=\"evenodd\" "
@@ -140,7 +140,7 @@ TEST(Svg, StepsAddUpWithoutDrift) {
   list.view = {{0, 0}, {1, 1}};
   DrawPolyline line{{}, false, 0, {}, Mark::path};
   for (int i = 0; i <= 3000; ++i) line.points.emplace_back(i / 3000.0, 0.5);
-  list.items.push_back(line);
+  list.items.emplace_back(line);
   const std::string text = svg(list);
   const std::size_t from = text.find("M0 500l");
   ASSERT_NE(from, std::string::npos);
@@ -170,13 +170,13 @@ TEST(Svg, UnusableItemsAreLeftOutAndUnusableViewsRefused) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   DrawList list;
   const std::string empty = svg(list);
-  list.items.push_back(DrawPolyline{{{0, 0}, {kNan, 1}}, false, 0, {}});
-  list.items.push_back(DrawPolyline{{{0, 0}}, false, 0, {}});
-  list.items.push_back(DrawArea{{{{0, 0}, {1, 0}, {1e300, 1}}, {}}, {}});
-  list.items.push_back(DrawDisc{{{0, 0}, kNan}, {}});
-  list.items.push_back(DrawText{{0, 0}, "", 1, {}});
-  list.items.push_back(DrawCells{{}, 1, 3, 3, {Color{}}, {}});
-  list.items.push_back(DrawBody{{{0, 0}, 1}, kNan, {}, {}});
+  list.items.emplace_back(DrawPolyline{{{0, 0}, {kNan, 1}}, false, 0, {}});
+  list.items.emplace_back(DrawPolyline{{{0, 0}}, false, 0, {}});
+  list.items.emplace_back(DrawArea{{{{0, 0}, {1, 0}, {1e300, 1}}, {}}, {}});
+  list.items.emplace_back(DrawDisc{{{0, 0}, kNan}, {}});
+  list.items.emplace_back(DrawText{{0, 0}, "", 1, {}});
+  list.items.emplace_back(DrawCells{{}, 1, 3, 3, {Color{}}, {}});
+  list.items.emplace_back(DrawBody{{{0, 0}, 1}, kNan, {}, {}});
   EXPECT_EQ(svg(list), empty);
   list.view.high.x() = kNan;
   EXPECT_THROW(svg(list), ArgumentError);
@@ -197,9 +197,9 @@ TEST(Svg, AViewWithoutAreaStillGivesAPicture) {
 TEST(Svg, HugeCoordinatesAreCutNearThePicture) {
   DrawList list;
   list.view = {{0, 0}, {1, 1}};
-  list.items.push_back(DrawPolyline{{{-1e11, 0.5}, {1e11, 0.5}}, false, 0, {255, 0, 0}});
-  list.items.push_back(DrawArea{{{{-1e11, -1e11}, {1e11, -1e11}, {0, 1e11}}, {}}, {255, 0, 0}});
-  list.items.push_back(DrawDisc{{{0, -1e11}, 1e11}, {255, 0, 0}});
+  list.items.emplace_back(DrawPolyline{{{-1e11, 0.5}, {1e11, 0.5}}, false, 0, {255, 0, 0}});
+  list.items.emplace_back(DrawArea{{{{-1e11, -1e11}, {1e11, -1e11}, {0, 1e11}}, {}}, {255, 0, 0}});
+  list.items.emplace_back(DrawDisc{{{0, -1e11}, 1e11}, {255, 0, 0}});
   const std::string text = svg(list);
   EXPECT_LE(longest_number(text), 4) << text;
 }

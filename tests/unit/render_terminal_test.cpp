@@ -31,15 +31,15 @@ std::string ascii(const DrawList& list, int columns, int rows) {
 
 TEST(Terminal, ASmallWorldInAsciiIsThis) {
   DrawList list = view(20, 20);
-  list.items.push_back(box({0, 0}, {20, 0.3}));
-  list.items.push_back(box({0, 19.7}, {20, 20}));
-  list.items.push_back(box({0, 0}, {0.3, 20}));
-  list.items.push_back(box({19.7, 0}, {20, 20}));
-  list.items.push_back(box({10, 0}, {11, 12}));
-  list.items.push_back(DrawPolyline{{{4.5, 4}, {4.5, 15}, {15.5, 15}}, false, 0.1, kRed, Mark::path});
-  list.items.push_back(DrawBody{{{4.5, 4.1}, 1.45}, kPi / 2, kRed, kBlack});
-  list.items.push_back(DrawDisc{{{15.5, 15}, 1}, kRed, Mark::goal});
-  list.items.push_back(DrawText{{13, 9}, "lab", 1, kBlack});
+  list.items.emplace_back(box({0, 0}, {20, 0.3}));
+  list.items.emplace_back(box({0, 19.7}, {20, 20}));
+  list.items.emplace_back(box({0, 0}, {0.3, 20}));
+  list.items.emplace_back(box({19.7, 0}, {20, 20}));
+  list.items.emplace_back(box({10, 0}, {11, 12}));
+  list.items.emplace_back(DrawPolyline{{{4.5, 4}, {4.5, 15}, {15.5, 15}}, false, 0.1, kRed, Mark::path});
+  list.items.emplace_back(DrawBody{{{4.5, 4.1}, 1.45}, kPi / 2, kRed, kBlack});
+  list.items.emplace_back(DrawDisc{{{15.5, 15}, 1}, kRed, Mark::goal});
+  list.items.emplace_back(DrawText{{13, 9}, "lab", 1, kBlack});
   EXPECT_EQ(ascii(list, 20, 10),
             "####################\n"
             "#                  #\n"
@@ -56,8 +56,8 @@ TEST(Terminal, ASmallWorldInAsciiIsThis) {
 
 TEST(Terminal, ColourCellsHoldTwoPixels) {
   DrawList list = view(4, 4);
-  list.items.push_back(box({0, 3}, {4, 4}, Mark::wall, kRed));
-  list.items.push_back(box({0, 0}, {1, 2}, Mark::wall, kBlack));
+  list.items.emplace_back(box({0, 3}, {4, 4}, Mark::wall, kRed));
+  list.items.emplace_back(box({0, 0}, {1, 2}, Mark::wall, kBlack));
   const Frame frame = terminal_frame(list, {4, 2}, TerminalMode::truecolor);
   constexpr Color kWhite{255, 255, 255};
   ASSERT_EQ(frame.columns, 4);
@@ -73,7 +73,7 @@ TEST(Terminal, AThinWallIsOneColumnWideWhereverItStands) {
     DrawList list = view(60, 40);
     const double width = random.uniform(0.0001, 0.5);
     const double x = random.uniform(1, 58);
-    list.items.push_back(box({x, 0}, {x + width, 40}));
+    list.items.emplace_back(box({x, 0}, {x + width, 40}));
     const std::string picture = ascii(list, 60, 20);
     ASSERT_EQ(std::count(picture.begin(), picture.end(), '#'), 20) << x << " " << width << "\n" << picture;
   }
@@ -85,7 +85,7 @@ TEST(Terminal, AThinWallIsOneRowHighWhereverItStands) {
     DrawList list = view(60, 40);
     const double width = random.uniform(0.0001, 0.9);
     const double y = random.uniform(1, 38);
-    list.items.push_back(box({0, y}, {60, y + width}));
+    list.items.emplace_back(box({0, y}, {60, y + width}));
     const std::string picture = ascii(list, 60, 20);
     ASSERT_EQ(std::count(picture.begin(), picture.end(), '#'), 60) << y << " " << width << "\n" << picture;
   }
@@ -116,7 +116,7 @@ TEST(Terminal, ARoomWithThinWallsIsClosed) {
     DrawPolyline walls{{}, true, random.uniform(0, 0.8), kBlack, Mark::wall};
     for (const Vec2& corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)})
       walls.points.push_back(room * (half * corner));
-    list.items.push_back(walls);
+    list.items.emplace_back(walls);
     const Frame frame = terminal_frame(list, {80, 24}, TerminalMode::ascii);
     ASSERT_FALSE(leaks(frame, 40, 12)) << text(frame);
   }
@@ -138,7 +138,7 @@ TEST(Terminal, FramesFitTheSizeAndTheView) {
 TEST(Terminal, HeadingsAreCharacters) {
   const auto sign = [](double heading, TerminalMode mode) {
     DrawList list = view(9, 9);
-    list.items.push_back(DrawBody{{{4.5, 4.5}, 1}, heading, kRed, kBlack});
+    list.items.emplace_back(DrawBody{{{4.5, 4.5}, 1}, heading, kRed, kBlack});
     const Frame frame = terminal_frame(list, {9, 5}, mode);
     for (const Glyph& glyph : frame.glyphs)
       if (glyph.code != ' ' && glyph.code != '@' && glyph.code != kUpperHalf) return glyph.code;
@@ -153,7 +153,7 @@ TEST(Terminal, HeadingsAreCharacters) {
 
 TEST(Terminal, NamesCannotSteerTheTerminal) {
   DrawList list = view(20, 4);
-  list.items.push_back(DrawText{{1, 3}, "a\x1b[31m\n<&\xff漢", 1, kBlack});
+  list.items.emplace_back(DrawText{{1, 3}, "a\x1b[31m\n<&\xff漢", 1, kBlack});
   EXPECT_EQ(ascii(list, 20, 2), " a?[31m?<&??\n\n");
   const std::string colored = text(terminal_frame(list, {20, 2}, TerminalMode::color256));
   EXPECT_EQ(colored.find("[31m\n"), std::string::npos);
@@ -163,8 +163,8 @@ TEST(Terminal, NamesCannotSteerTheTerminal) {
 TEST(Terminal, ANameOnAWallStandsOnItsHalo) {
   constexpr Color kFloor{250, 250, 250};
   DrawList list = view(8, 4);
-  list.items.push_back(box({0, 0}, {8, 4}));
-  list.items.push_back(DrawText{{1, 3}, "lab", 1, kBlack, kFloor});
+  list.items.emplace_back(box({0, 0}, {8, 4}));
+  list.items.emplace_back(DrawText{{1, 3}, "lab", 1, kBlack, kFloor});
   const Frame frame = terminal_frame(list, {8, 2}, TerminalMode::truecolor);
   EXPECT_EQ(frame.at(1, 0), (Glyph{U'l', kBlack, kFloor}));
   EXPECT_EQ(frame.at(5, 0), (Glyph{U' ', kBlack, kBlack}));
@@ -172,15 +172,24 @@ TEST(Terminal, ANameOnAWallStandsOnItsHalo) {
 
 TEST(Terminal, TextsDoNotCoverEachOther) {
   DrawList list = view(20, 4);
-  list.items.push_back(DrawText{{1, 3}, "first", 1, kBlack});
-  list.items.push_back(DrawText{{4, 3}, "second", 1, kBlack});
-  list.items.push_back(DrawText{{19, 1}, "right", 1, kBlack, {}, Align::right});
-  EXPECT_EQ(ascii(list, 20, 2), " first\n              right\n");
+  list.items.emplace_back(DrawText{{1, 3}, "first", 1, kBlack});
+  list.items.emplace_back(DrawText{{4, 3}, "second", 1, kBlack});
+  list.items.emplace_back(DrawText{{7, 3}, "third", 1, kBlack});
+  list.items.emplace_back(DrawText{{19, 1}, "right", 1, kBlack, {}, Align::right});
+  EXPECT_EQ(ascii(list, 20, 2), " first third\n    second    right\n");
+}
+
+TEST(Terminal, NamesMoveOffWallsAndGaps) {
+  DrawList list = view(10, 6);
+  list.items.emplace_back(box({0, 2}, {4, 4}));
+  list.items.emplace_back(box({6, 2}, {10, 4}));
+  list.items.emplace_back(DrawText{{5, 3}, "door", 1, kBlack, {}, Align::center});
+  EXPECT_EQ(ascii(list, 10, 3), "   door\n####  ####\n\n");
 }
 
 TEST(Terminal, LongTextsAreCutAtTheFrame) {
   DrawList list = view(5, 2);
-  list.items.push_back(DrawText{{1, 1}, "abcdefgh", 1, kBlack});
+  list.items.emplace_back(DrawText{{1, 1}, "abcdefgh", 1, kBlack});
   EXPECT_EQ(ascii(list, 5, 1), "abcde\n");
 }
 
@@ -196,11 +205,11 @@ TEST(Terminal, EmptyAndNastyListsGiveFrames) {
   EXPECT_EQ(ascii(DrawList{}, 3, 3), "\n\n");
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   DrawList list = view(1, 1);
-  list.items.push_back(DrawBody{{{0.5, 0.5}, kNan}, 0, kRed, kRed});
-  list.items.push_back(DrawBody{{{1e11, 0.5}, 1}, 0, kRed, kRed});
-  list.items.push_back(DrawBody{{{1, 1}, 1e-9}, 0, kRed, kRed});
-  list.items.push_back(DrawBody{{{0, 0}, 1e-9}, 1e11, kRed, kRed});
-  list.items.push_back(DrawText{{1e11, kNan}, "x", 1, kRed});
+  list.items.emplace_back(DrawBody{{{0.5, 0.5}, kNan}, 0, kRed, kRed});
+  list.items.emplace_back(DrawBody{{{1e11, 0.5}, 1}, 0, kRed, kRed});
+  list.items.emplace_back(DrawBody{{{1, 1}, 1e-9}, 0, kRed, kRed});
+  list.items.emplace_back(DrawBody{{{0, 0}, 1e-9}, 1e11, kRed, kRed});
+  list.items.emplace_back(DrawText{{1e11, kNan}, "x", 1, kRed});
   for (const TerminalMode mode : {TerminalMode::ascii, TerminalMode::color256, TerminalMode::truecolor})
     EXPECT_EQ(terminal_frame(list, {1, 1}, mode).glyphs.size(), 1u);
   EXPECT_THROW(terminal_frame(list, {0, 5}, TerminalMode::ascii), ArgumentError);
