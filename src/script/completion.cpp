@@ -23,8 +23,8 @@ constexpr std::array kKeywords = {"and",      "break",  "do",   "else", "elseif"
 
 /// Where in the arguments of a call, or in its option table, the end of a text stands.
 struct Place {
-  std::size_t function_end = 0;   ///< the token behind the function's name
-  std::size_t argument = 0;       ///< counted from 0
+  std::size_t function_end = 0;     ///< the token behind the function's name
+  std::size_t argument = 0;         ///< counted from 0
   std::vector<std::string> keys{};  ///< of the option tables around, outermost first
   bool in_table = false;
 };
