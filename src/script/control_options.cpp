@@ -3,6 +3,7 @@
 #include "script/control_options.hpp"
 
 #include "autonomy/navigators.hpp"
+#include "world/placement.hpp"
 
 namespace meander::script {
 namespace {
@@ -51,6 +52,12 @@ GuideStep next_in_lua(const Function& function, const Observation& observation, 
   step.reached = Lua<std::optional<int>>::read(L, -1, path).value_or(0);
   lua_pop(L, 3);
   return step;
+}
+
+/// A goal outside the bounds or inside something can only be a mistake. (An edit may still cover it later.)
+void check_goal(const World& world, const Spot& spot) {
+  check_within(spot, world.header().bounds);
+  for (const Id id : world.ids()) check_apart(world.item(id), spot);
 }
 
 std::function<void()> reset_of(const std::optional<Function>& reset) {
@@ -134,7 +141,10 @@ Pilot pilot_of(const PilotTable& table, const World& world, const Platform& plat
   if (!table.guide && table.subgoals.empty()) fail("option 'subgoals': missing, a list of places or points expected");
   if (table.guide) return {table.navigator->make(platform), table.guide->make(world)};
   std::vector<Subgoal> subgoals;
-  for (const SubgoalOption& option : table.subgoals) subgoals.push_back(option.in(&world));
+  for (const SubgoalOption& option : table.subgoals) {
+    subgoals.push_back(option.in(&world));
+    check_goal(world, {fmt::format("subgoal {}", subgoals.size()), subgoals.back().position});
+  }
   return {table.navigator->make(platform), subgoal_list(std::move(subgoals), table.list)};
 }
 
