@@ -33,6 +33,14 @@ std::vector<Thing> things(const WorldPtr& world, const std::optional<std::string
   return result;
 }
 
+template <class Kind>
+std::vector<Thing> of_kind(const WorldPtr& world) {
+  std::vector<Thing> result;
+  for (const Id id : world->ids())
+    if (std::holds_alternative<Kind>(world->item(id))) result.push_back({world, id});
+  return result;
+}
+
 Thing thing(const WorldPtr& world, const std::string& name) { return {world, world->find(name)}; }
 ItemTable get(const World& world, const ThingRef& thing) { return {world.item(resolve(world, thing))}; }
 
@@ -73,6 +81,14 @@ void bind_reading(Type<World>& type) {
               .args = {{"pattern", "only names that fit it: * any run of characters, ? one character"}},
               .returns = "list of things",
               .example = "for _, t in ipairs(meander.world.open('worlds/office.toml'):things()) do print(t) end"})
+      .method<&of_kind<Obstacle>>(Doc{.name = "obstacles",
+                                      .text = "Handles of the obstacles in the order they were added.",
+                                      .returns = "list of things",
+                                      .example = "print(#meander.world.open('worlds/office.toml'):obstacles())"})
+      .method<&of_kind<Place>>(Doc{.name = "places",
+                                   .text = "Handles of the named places in the order they were added.",
+                                   .returns = "list of things",
+                                   .example = "print(meander.world.open('worlds/office.toml'):places()[1].name)"})
       .method<&thing>(Doc{.name = "thing",
                           .text = "The handle of a thing.",
                           .args = {{"name", "its name"}},

@@ -36,6 +36,7 @@ TEST_F(WorldScript, AddsEveryKindOfThing) {
   EXPECT_EQ(run("return w"), "world \"yard\": 12.0 x 9.0 m, 4 obstacles, 1 door, 1 mover, 1 light, 1 place");
   EXPECT_EQ(run("return table.concat(w:names '*a*', ' ')"), "crate hall obstacle 3 obstacle 5 gate anna lamp");
   EXPECT_EQ(run("return #w:things 'obstacle*', w:thing 'anna'"), "2 mover 7 \"anna\"");
+  EXPECT_EQ(run("return #w:obstacles(), #w:places(), w:places()[1] == hall"), "4 1 true");
 }
 
 TEST_F(WorldScript, EditsAndUndoes) {
