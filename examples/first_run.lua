@@ -12,6 +12,6 @@ local options = require "meander.arguments" {
 
 local world = meander.world.open "worlds/office.toml"
 local sim = meander.sim.new { world = world, robot = "nomad200", sonar = "nomad", seed = options.seed }
-local run = sim:drive { navigator = "potential_field", subgoals = { "door_a", "hall", "door_b" } }
+local run = sim:drive { navigator = "potential_field", subgoals = { "door_a", "door_c", "meeting" } }
 
 report.run("first_run", run, options)

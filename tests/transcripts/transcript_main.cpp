@@ -44,7 +44,7 @@ class Workshop {
     fs::create_directories(root_ / "bin");
     fs::create_directories(root_ / "work");
     fs::create_symlink(fs::absolute(program), root_ / "bin" / "meander");
-    for (const char* folder : {"examples", "lua", "worlds"})
+    for (const char* folder : {"docs", "examples", "lua", "worlds"})
       fs::create_directory_symlink(fs::path(MEANDER_SOURCE_DIR) / folder, root_ / "work" / folder);
     fs::create_symlink(fs::path(MEANDER_SOURCE_DIR) / "README.md", root_ / "work" / "README.md");
   }
