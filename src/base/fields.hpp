@@ -63,10 +63,16 @@ std::optional<E> enum_from(std::string_view text) {
   return std::nullopt;
 }
 
+/// Takes any member: what `Listed` asks fields() to be called with.
+struct AnyVisitor {
+  template <class Member>
+  void operator()(const Field&, Member&) const {}
+};
+
 /// A struct whose members are listed by a fields() function.
 template <class T>
 concept Listed = requires(T& t) {
-  fields(t, [](const Field&, auto&) {});
+  fields(t, AnyVisitor{});
 };
 
 /// The names of all options of `Options`, in listing order.
