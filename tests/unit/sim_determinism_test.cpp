@@ -97,8 +97,7 @@ TEST(Determinism, EditsThatWereUndoneLeaveNoTrace) {
     one.step(plain);
     if (i % 7 == 3) {
       World& world = *edited.shared_world();
-      const Id id =
-          world.add(Obstacle{.name = "", .shape = Disc{{6, 6}, 0.5}, .surface = {}});
+      const Id id = world.add(Obstacle{.name = "", .shape = Disc{{6, 6}, 0.5}, .surface = {}});
       world.remove(world.ids().front());
       world.replace(id, Obstacle{.name = "x", .shape = Rectangle{{6.5, 4}, {1, 1}, 0}, .surface = {}});
       ASSERT_EQ(world.undo(3), 3);
