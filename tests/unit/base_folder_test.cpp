@@ -8,12 +8,13 @@
 #include <fstream>
 
 #include "base/error.hpp"
+#include "own_folder.hpp"
 
 namespace meander {
 namespace {
 
 TEST(Folder, MakesAllThatIsMissing) {
-  const auto top = std::filesystem::path(testing::TempDir()) / "meander_folder_test";
+  const auto top = own_folder() / "top";
   std::filesystem::remove_all(top);
   make_folder(top / "a" / "b");
   EXPECT_TRUE(std::filesystem::is_directory(top / "a" / "b"));
@@ -22,7 +23,7 @@ TEST(Folder, MakesAllThatIsMissing) {
 }
 
 TEST(Folder, RefusesAPathWithAFileInIt) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "meander_folder_file";
+  const auto file = own_folder() / "file";
   std::ofstream(file) << "x";
   EXPECT_THROW(make_folder(file), FileError);
   EXPECT_THROW(make_folder(file / "below"), FileError);

@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "own_folder.hpp"
 
 namespace meander {
 namespace {
@@ -25,7 +26,7 @@ std::string refusal(const std::string& path, std::size_t most) {
 }
 
 TEST(TextFile, ReadsAllBytesUpToTheLimit) {
-  const std::string path = (fs::temp_directory_path() / "meander_text_file_test.txt").string();
+  const std::string path = (own_folder() / "text.txt").string();
   std::string content(200'000, 'x');
   content[7] = '\0';
   write_file_atomically(path, content);

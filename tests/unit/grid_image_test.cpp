@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/random.hpp"
 #include "grid/image_file.hpp"
+#include "own_folder.hpp"
 
 namespace meander {
 namespace {
@@ -20,11 +21,7 @@ std::string sample(const std::string& name) {
   return std::string(MEANDER_SOURCE_DIR) + "/tests/fuzz/corpus/grid_image_fuzz/" + name;
 }
 
-std::string scratch(const std::string& name) {
-  const fs::path folder = fs::path(testing::TempDir()) / "meander_grid_image";
-  fs::create_directories(folder);
-  return (folder / name).string();
-}
+std::string scratch(const std::string& name) { return (own_folder() / name).string(); }
 
 std::string bytes_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);

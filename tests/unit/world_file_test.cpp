@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/text_file.hpp"
+#include "own_folder.hpp"
 #include "world_random.hpp"
 
 namespace meander {
@@ -159,7 +160,7 @@ TEST(WorldFile, TheFrame) {
 // --- files -----------------------------------------------------------------------------------------------------------
 
 TEST(WorldFile, WritesAndReads) {
-  const std::string path = (std::filesystem::temp_directory_path() / "meander_world_file_test.toml").string();
+  const std::string path = (own_folder() / "world.toml").string();
   Stream stream(4, "disk");
   const World world = random_world(stream);
   write_world(path, world);

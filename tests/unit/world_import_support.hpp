@@ -9,14 +9,11 @@
 
 #include "base/error.hpp"
 #include "grid/image_file.hpp"
+#include "own_folder.hpp"
 
 namespace meander {
 
-inline std::string scratch(const std::string& name) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "meander_world_import";
-  std::filesystem::create_directories(folder);
-  return (folder / name).string();
-}
+inline std::string scratch(const std::string& name) { return (own_folder() / name).string(); }
 
 inline std::string written(const std::string& name, const std::string& text) {
   std::ofstream(scratch(name), std::ios::binary) << text;

@@ -9,6 +9,7 @@
 
 #include "base/text_file.hpp"
 #include "grid/image_file.hpp"
+#include "own_folder.hpp"
 #include "world/export_ros_map.hpp"
 #include "world/import_world.hpp"
 #include "world_trace_laws.hpp"
@@ -82,7 +83,7 @@ bool near(const Grid<std::uint8_t>& grid, Cell cell, std::uint8_t value) {
 }
 
 TEST_P(ForeignRosMap, ComesBackWithinOneCell) {
-  const fs::path copy = fs::path(testing::TempDir()) / "meander_round_trip.yaml";
+  const fs::path copy = own_folder() / "round_trip.yaml";
   for (const Unknown unknown : {Unknown::automatic, Unknown::free}) {
     const Imported first = import_ros_map(path(), {unknown, RosConvention::nav2, {}});
     const double resolution = ros_map_file(read_text_file(path(), 1 << 20), path()).resolution;
