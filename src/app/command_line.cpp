@@ -18,7 +18,7 @@ constexpr const char* kFooter = R"(
 FILE and everything behind it belong to the script: its arguments are in the table 'arg' and in '...'. A lone - reads the
 script from standard input, and so does a call without FILE when standard input is not a terminal.
 
-Exit codes: 0 done, 1 error in a script, 2 error on the command line, 3 a test failed, 130 interrupted.)";
+Exit codes: 0 done, 1 error in a script, 2 error on the command line, 130 interrupted.)";
 
 struct Formatter : CLI::Formatter {
   std::string make_usage(const CLI::App*, std::string) const override {

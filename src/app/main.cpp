@@ -94,7 +94,8 @@ int main(int argc, char** argv) {
   meander::CommandLine line;
   if (const auto code = meander::parse_command_line(argc, argv, line)) return *code;
   if (line.script == "test") {
-    meander::complain("the test suite runs from a checkout: './meander test' there, or ctest in the build folder");
+    meander::complain(
+        "scripted tests are not built yet; the test suite is './meander test' in a checkout, without paths");
     return meander::kExitUsage;
   }
   try {

@@ -152,6 +152,28 @@ TEST(Architecture, FilesAndFunctionsStaySmall) {
     EXPECT_LE(lines_of(file).size(), kFileCap) << fs::relative(file, kRoot);
 }
 
+/// Keys like [LM99] or [K86+] in the lines of a file, without the plus.
+std::set<std::string> keys_of(const fs::path& file) {
+  static const std::regex kKey(R"(\[(LM99|CN|Z|DG|K86|[A-Z]{1,3}\d\d)\+?\])");
+  std::set<std::string> keys;
+  for (const auto& line : lines_of(file))
+    for (std::sregex_iterator it(line.begin(), line.end(), kKey), end; it != end; ++it) keys.insert((*it)[1]);
+  return keys;
+}
+
+TEST(Architecture, PapersAndCodeNameEachOther) {
+  static const std::regex kRow(R"(^\| \[([A-Z0-9]+)\+?\] (?:eq|sec|fig).*\| `(src/[^`:]+)` \|$)");
+  const auto listed = keys_of(kRoot / "docs/papers.md");
+  for (const auto& file : sources({"src"}, {".cpp", ".hpp"}))
+    for (const auto& key : keys_of(file)) EXPECT_TRUE(listed.count(key)) << fs::relative(file, kRoot) << ": " << key;
+  for (const auto& line : lines_of(kRoot / "docs/papers.md")) {
+    std::smatch match;
+    if (!std::regex_match(line, match, kRow)) continue;
+    const fs::path file = kRoot / match[2].str();
+    EXPECT_TRUE(fs::exists(file) && keys_of(file).count(match[1])) << "docs/papers.md: " << line;
+  }
+}
+
 TEST(Architecture, EverySourceNamesItsLicence) {
   for (const auto& file :
        sources({"src", "tests", "bench", "lua", "examples", "cmake"}, {".cpp", ".hpp", ".lua", ".cmake"})) {
