@@ -23,6 +23,7 @@ local options = require "meander.arguments" {
   { "--room N", default = 1, help = "number of the simulated room" },
   { "--rooms N", default = 0, help = "look through so many rooms for the best one" },
   { "--generations N", default = 0, help = "generations of the fit; 0: no fit" },
+  { "--fit WHAT", default = "all", help = "all: sonar and drive; drive: ring radius, distance, speed, preset as it is" },
   { "--population N", default = 24, help = "points per generation" },
   { "--transfer N", default = 0, help = "try the parameters in so many other rooms" },
   { "--jobs N", default = 0, help = "worker processes; 0: one per core" },
@@ -86,6 +87,12 @@ if options.rooms > 0 then
     if result.ok and result.value < least then number, least = result.seed, result.value end
   end
   say(("of %d rooms number %d fits best: misfit %.3f"):format(options.rooms, number, least))
+end
+
+if options.fit == "drive" then
+  search.only_the_drive()
+elseif options.fit ~= "all" then
+  report.usage_error("--fit: 'all' or 'drive' expected, got '" .. options.fit .. "'")
 end
 
 local fitted

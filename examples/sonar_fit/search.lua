@@ -3,7 +3,7 @@
 -- Differential evolution (Storn and Price 1997, rand/1/bin) over the sonar's parameters, evaluated in worker processes.
 local search = {}
 
---- What is fitted: name, least and largest value, how it enters the sonar options.
+--- What is fitted: name, least and largest value. The last three belong to the recording, not to the sonar.
 search.parameters = {
   { "half_cone", math.rad(6), math.rad(25) },
   { "incidence_limit", math.rad(10), math.rad(50) },
@@ -20,11 +20,16 @@ search.parameters = {
   { "speed", 0.06, 0.4 },
 }
 
+--- Leaves the sonar as it is and fits the recording's own parameters only: ring, distance, speed.
+function search.only_the_drive()
+  search.parameters = table.move(search.parameters, #search.parameters - 2, #search.parameters, 1, {})
+end
+
 local function clamped(value, p) return math.max(p[2], math.min(p[3], value)) end
 
 --- A point drawn around `center`, each parameter within a quarter of its range.
 function search.near(center, random)
-  local point = {}
+  local point = setmetatable({}, { __index = center })
   for _, p in ipairs(search.parameters) do
     point[p[1]] = clamped(center[p[1]] + 0.5 * (random() - 0.5) * (p[3] - p[2]), p)
   end
@@ -35,7 +40,7 @@ end
 local function child(population, i, random)
   local function other() return population[math.floor(random() * #population) + 1].point end
   local a, b, c, forced = other(), other(), other(), math.floor(random() * #search.parameters) + 1
-  local point = {}
+  local point = setmetatable({}, { __index = population[i].point })
   for k, p in ipairs(search.parameters) do
     local name = p[1]
     local cross = k == forced or random() < 0.7
