@@ -18,7 +18,7 @@ local options = require "meander.arguments" {
   { "--seed N", default = 7, help = "seed of all random streams" },
   { "--json", help = "one JSON object per line instead of text" },
   { "--out DIR", default = "out", help = "folder of the table" },
-  { "--rate HZ", default = 9, help = "frames per second of the log" },
+  { "--rate HZ", default = 9.0, help = "frames per second of the log" },
   { "--frames N", default = 0, help = "frames to simulate; 0: as many as the log has" },
   { "--room N", default = 1, help = "number of the simulated room" },
   { "--rooms N", default = 0, help = "look through so many rooms for the best one" },

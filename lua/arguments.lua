@@ -12,7 +12,7 @@
 --   }
 --   print(options.seed, options.json, options.MAP, options.rest[1])
 --
--- A default that is a number makes the option a number; an option without a placeholder is a flag. --help prints the
+-- A default that is a number makes the option a number, a whole one if it is whole; an option without a placeholder is a flag. --help prints the
 -- table and ends the script; a mistake ends it with one line and exit code 2.
 
 local function script_name() return (arg and arg[0] or "script"):match("[^/]*$") end
@@ -50,12 +50,14 @@ local function usage(spec)
   return table.concat(words, " ") .. "\n" .. (spec.about and spec.about .. "\n" or "") .. table.concat(lines, "\n")
 end
 
-local function number(text, what)
+-- The number in a text: a whole one where the default is whole.
+local function number(text, default, what)
   local value = tonumber(text)
-  if not value or value ~= value or value == math.huge or value == -math.huge then
-    leave(("%s: a number expected, got '%s'"):format(what, text), 2)
+  local whole = math.type(default) == "integer"
+  if not value or value ~= value or value == math.huge or value == -math.huge or (whole and not math.tointeger(value)) then
+    leave(("%s: a %s expected, got '%s'"):format(what, whole and "whole number" or "number", text), 2)
   end
-  return value
+  return whole and math.tointeger(value) or value
 end
 
 local function option(plan, values, words, i)
@@ -66,13 +68,15 @@ local function option(plan, values, words, i)
     leave(("unknown option '%s' (known: %s)"):format(word, table.concat(plan.names, ", ")), 2)
   end
   if not flag.placeholder then
+    if inline then leave(("option %s takes no value, got '%s'"):format(word, inline), 2) end
     values[flag.key] = true
     return i
   end
   local text = inline or words[i + 1]
   if not inline then i = i + 1 end
   if not text then leave(("option %s needs a value: %s"):format(word, flag.entry[1]), 2) end
-  values[flag.key] = type(flag.entry.default) == "number" and number(text, "option " .. word) or text
+  local default = flag.entry.default
+  values[flag.key] = type(default) == "number" and number(text, default, "option " .. word) or text
   return i
 end
 

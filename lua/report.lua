@@ -19,6 +19,11 @@ function report.path(options, name)
   return options.out .. "/" .. name
 end
 
+-- Micrometres and microseconds are enough for a person and a table; the hash holds the rest.
+local function rounded(value)
+  return math.type(value) == "float" and tonumber(("%.6f"):format(value)) or value
+end
+
 --- Saves picture, table and record of a run as <out>/<example>.{svg,png,csv,jsonl}, then prints its summary. `more`
 --- (optional) holds further keys for the JSON object.
 function report.run(example, run, options, more)
@@ -32,7 +37,7 @@ function report.run(example, run, options, more)
     return
   end
   local line, keys = { example = example }, table.move(drive_keys, 1, #drive_keys, 1, {})
-  for i = 2, #keys do line[keys[i]] = run[keys[i]] end
+  for i = 2, #keys do line[keys[i]] = rounded(run[keys[i]]) end
   line.reason, keys[#keys + 1] = run.reason, "reason"
   local extra = {}
   for key, value in pairs(more or {}) do
