@@ -62,11 +62,26 @@ int fill(int file, std::string_view text, std::optional<mode_t> mode) {
   return ::fsync(file) == 0 ? 0 : errno;
 }
 
-/// A new file beside `target`; -1 with errno when the folder does not allow it.
+/// Where a path leads by symbolic links of its last name, also when nothing is there yet.
+std::string end_of_links(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as the system follows
+  std::filesystem::path target = path;
+  std::error_code none;
+  for (int i = 0; i < kMostLinks; ++i) {
+    const auto next = std::filesystem::read_symlink(target, none);
+    if (none) return target.string();
+    target = target.parent_path() / next;  // an absolute one replaces all
+  }
+  refuse(path, ELOOP);
+}
+
+/// A new file beside `target`; -1 with errno when the folder does not allow it. Its name is short, because a name as
+/// long as the system allows leaves no room for more.
 int open_beside(const std::string& target, std::string& name) {
   static std::atomic<unsigned> counter{0};
   for (;;) {
-    name = fmt::format("{}.{}.{}.tmp", target, ::getpid(), counter++);
+    const std::string last = fmt::format(".meander.{}.{}.tmp", ::getpid(), counter++);
+    name = std::filesystem::path(target).replace_filename(last).string();
     const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file >= 0 || errno != EEXIST) return file;
   }
@@ -103,15 +118,14 @@ void write_file_atomically(const std::string& path, std::string_view text) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {
     if (errno != ENOENT) refuse(path, errno);
-    return replace(path, path, text, std::nullopt);
+    const std::string target = end_of_links(path);
+    if (!std::filesystem::path(target).has_filename()) refuse(path, ENOENT);
+    return replace(path, target, text, std::nullopt);
   }
   if (S_ISDIR(status.st_mode)) refuse(path, EISDIR);
   if (!S_ISREG(status.st_mode)) return write_directly(path, text);
   if (::access(path.c_str(), W_OK) != 0) refuse(path, errno);
-  std::error_code failed;
-  const auto target = std::filesystem::canonical(path, failed);
-  if (failed) refuse(path, failed.value());
-  replace(path, target.string(), text, status.st_mode & 07777);
+  replace(path, end_of_links(path), text, status.st_mode & 07777);
 }
 
 }  // namespace meander

@@ -42,7 +42,7 @@ void ShapeIndex::clear() {
 
 std::size_t ShapeIndex::wall_count() const { return state_->wall_count; }
 
-const Material& ShapeIndex::material(std::uint16_t index) const { return state_->materials.at(index); }
+const Material& ShapeIndex::material(std::uint32_t index) const { return state_->materials.at(index); }
 
 std::optional<RayHit> ShapeIndex::cast(const Vec2& origin, const Vec2& direction, double max_range) const {
   return state_->grid.cast({origin, direction, max_range}, state_->walls.data(), origin, direction).hit();
@@ -76,6 +76,20 @@ void ShapeIndex::gather(const Vec2& center, double radius, std::vector<Wall>& wa
     if (owner.round && (owner.disc.center - center).norm() <= radius + owner.disc.radius)
       poles.push_back({owner.disc, static_cast<std::uint32_t>(slot), owner.material});
   }
+}
+
+void ShapeIndex::around(const Vec2& center, double radius, const std::function<void(const Wall&)>& wall,
+                        const std::function<void(const Disc&)>& disc) const {
+  const State& state = *state_;
+  state.grid.around(
+      center, radius,
+      [&](std::uint32_t id) {
+        if (within(center, radius, state.walls[id])) wall(state.walls[id]);
+      },
+      [&](std::uint32_t owner) {
+        const Disc& found = state.owners[owner].disc;
+        if ((found.center - center).norm() <= radius + found.radius) disc(found);
+      });
 }
 
 std::uint64_t ShapeIndex::revision() const { return state_->revision; }

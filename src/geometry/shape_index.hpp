@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -23,7 +24,7 @@ struct Material {
 struct Wall {
   Vec2 a, b;
   std::uint32_t owner = 0;     ///< slot of the obstacle it belongs to
-  std::uint16_t material = 0;  ///< see ShapeIndex::material()
+  std::uint32_t material = 0;  ///< see ShapeIndex::material()
   bool convex_a = false;       ///< convex corner of a solid; any bend or free end of a chain (seen from its outer side)
   bool convex_b = false;       ///< the free end of an open chain
   bool solid = true;           ///< border of a solid (false: thin wall of a chain)
@@ -32,7 +33,7 @@ struct Wall {
 struct Pole {
   Disc disc;
   std::uint32_t owner = 0;
-  std::uint16_t material = 0;
+  std::uint32_t material = 0;
 };
 
 struct RayHit {
@@ -63,7 +64,7 @@ class ShapeIndex {
   void clear();
 
   std::size_t wall_count() const;
-  const Material& material(std::uint16_t index) const;
+  const Material& material(std::uint32_t index) const;
 
   /// First piece hit by the ray within max_range, if any. `direction` is a unit vector. From inside a solid the border
   /// is seen from inside.
@@ -77,6 +78,10 @@ class ShapeIndex {
 
   /// All pieces that touch the disc, each once, in a canonical order (independent of the editing history).
   void gather(const Vec2& center, double radius, std::vector<Wall>& walls, std::vector<Pole>& poles) const;
+
+  /// Calls for all pieces that touch the disc, in no particular order and for some repeatedly. Takes no memory.
+  void around(const Vec2& center, double radius, const std::function<void(const Wall&)>& wall,
+              const std::function<void(const Disc&)>& disc) const;
 
   /// Counts edits; `touched_since` tells whether an edit after `revision` may have changed anything in the disc.
   std::uint64_t revision() const;

@@ -17,11 +17,6 @@ constexpr double kMostAlong = 1 << 14;    ///< cells along one side of the grid
 constexpr double kMostEntries = 1 << 20;  ///< pieces in cells, besides kEntriesPerWall for every wall
 constexpr double kEntriesPerWall = 8;
 
-bool same(const Material& a, const Material& b) {
-  const bool both_unset = std::isnan(a.specular_limit) && std::isnan(b.specular_limit);
-  return a.echo == b.echo && (a.specular_limit == b.specular_limit || both_unset);
-}
-
 Box box_of(std::span<const Wall> walls) {
   Box box{walls.front().a, walls.front().a};
   for (const Wall& wall : walls) {
@@ -40,7 +35,7 @@ void ShapeIndex::State::insert(std::uint32_t slot, const Shape& shape, const Mat
   if (slot >= owners.size()) owners.resize(slot + 1);
   Owner& owner = owners[slot];
   if (owner.present) fail("shape index: owner {} already has a shape", slot);
-  owner.material = number_of(material);
+  owner.material = materials.take(material);
   owner.present = true;
   const Disc* disc = std::get_if<Disc>(&shape);
   owner.round = disc != nullptr;
@@ -66,18 +61,11 @@ void ShapeIndex::State::remove(std::uint32_t slot) {
   put(slot, -1);
   measure(owner, -1);
   walls.resize(owner.walls, 0);
+  materials.release(owner.material);
   owner.present = false;
   --present;
   if (grid.frame().side > finest && present > 0 && suitable_frame().side < grid.frame().side) rebuild();
   edits[revision++ % kEditsKept] = owner.box;
-}
-
-std::uint16_t ShapeIndex::State::number_of(const Material& material) {
-  for (std::size_t i = 0; i < materials.size(); ++i)
-    if (same(materials[i], material)) return static_cast<std::uint16_t>(i);
-  if (materials.size() > 0xffff) fail("shape index: more than 65536 materials");
-  materials.push_back(material);
-  return static_cast<std::uint16_t>(materials.size() - 1);
 }
 
 double ShapeIndex::State::entries(double side) const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "geometry/material_table.hpp"
 #include "geometry/shape_grid.hpp"
 #include "geometry/shape_index.hpp"
 
@@ -14,7 +15,7 @@ struct ShapeIndex::State {
   struct Owner {
     bool present = false;
     bool round = false;  ///< a disc: one pole instead of walls
-    std::uint16_t material = 0;
+    std::uint32_t material = 0;
     Run walls;
     Disc disc;
     Box box;
@@ -33,12 +34,11 @@ struct ShapeIndex::State {
   std::size_t present = 0;
   std::size_t wall_count = 0;
   ShapeGrid grid;
-  std::vector<Material> materials;
+  MaterialTable materials;
   std::uint64_t revision = 0;
   std::array<Box, kEditsKept> edits;  ///< what the last edits changed; edit number n is at n % kEditsKept
 
  private:
-  std::uint16_t number_of(const Material& material);
   double entries(double side) const;
   bool affordable(double side) const;
   CellFrame suitable_frame() const;

@@ -101,15 +101,17 @@ class PotentialField {
     return 0;
   }
 
-  /// One period under the command, then braking: is all of it free?
+  /// One period under the command, then braking: is all of it free? Long braking is looked at less often, but at least
+  /// once per radius of the way, and only so far: the echoes are nearer than its end then.
   bool clear(const Observation& observation, double v, double w) const {
-    constexpr int kParts = 4;
+    constexpr int kParts = 4, kBrakingParts = 512;
     const Body& body = platform_.body;
-    const double dt = observation.period / kParts;
+    double dt = observation.period / kParts;
     Pose2 pose;
     double v_now = observation.odometry.v, w_now = observation.odometry.w;
-    for (int part = 0; part < kParts || v_now > 0; ++part) {
+    for (int part = 0; part < kParts || (v_now > 0 && part < kParts + kBrakingParts); ++part) {
       const bool braking = part >= kParts;
+      if (part == kParts) dt = std::max(dt, std::min(v_now / (body.a_v * kBrakingParts), body.radius / v_now));
       const Ramped v_next = ramped(v_now, braking ? 0 : v, body.a_v, dt);
       const Ramped w_next = ramped(w_now, braking ? 0 : w, body.a_w, dt);
       pose = arc(pose, v_next.mean, w_next.mean, dt);

@@ -78,11 +78,9 @@ void read_bumpers(const Scene& scene, const RingLayout& layout, double reach, co
   for (const Pole& pole : scene.moving)
     if (pole.owner != self) ring.touch(pole.disc);
   if (scene.walls().distance(pose_world.position(), ring.reach() + kTouch) > ring.reach()) return;
-  std::vector<Wall> walls;  // taken only in contact
-  std::vector<Pole> poles;
-  scene.walls().gather(pose_world.position(), ring.reach(), walls, poles);
-  for (const Wall& wall : walls) ring.touch(wall);
-  for (const Pole& pole : poles) ring.touch(pole.disc);
+  scene.walls().around(
+      pose_world.position(), ring.reach(), [&](const Wall& wall) { ring.touch(wall); },
+      [&](const Disc& disc) { ring.touch(disc); });
 }
 
 }  // namespace meander

@@ -23,7 +23,7 @@ double Bounce::through(const Candidates& list, const WedgeView& seen, const Piec
   Vec2 normal = left_of(seen.view.local(wall.b) - a).normalized();
   if (normal.dot(a) < 0) normal = -normal;
   // The wall has the same local coordinates in both views.
-  const Wedge window{.low = low, .high = high, .normal = normal, .offset = normal.dot(a) + kTouch};
+  const Wedge window{.low = low, .high = high, .normal = normal, .offset = normal.dot(a) + kContact};
   Hearing hearing = seen.hearing;
   hearing.strength *= seen.reflectors[wall.kind].strength;
   return mirrored_.first_echo(list, mirrored(seen.view, wall.a, wall.b), window, hearing, seen.reflectors, shift, most);

@@ -92,7 +92,7 @@ void Candidates::sort_outward(const std::vector<Thing>& from, Shelf<Thing, Block
   fill_blocks(to, center_, radius_);
 }
 
-std::uint16_t Candidates::kind_of(const Material& material) {
+std::uint32_t Candidates::kind_of(const Material& material) {
   const auto same = [&](const Material& m) {
     return m.echo == material.echo &&
            std::bit_cast<std::uint64_t>(m.specular_limit) == std::bit_cast<std::uint64_t>(material.specular_limit);
@@ -100,9 +100,9 @@ std::uint16_t Candidates::kind_of(const Material& material) {
   const auto known = std::find_if(materials_.begin(), materials_.end(), same);
   if (known == materials_.end()) {
     materials_.push_back(material);
-    return static_cast<std::uint16_t>(materials_.size() - 1);
+    return static_cast<std::uint32_t>(materials_.size() - 1);
   }
-  return static_cast<std::uint16_t>(known - materials_.begin());
+  return static_cast<std::uint32_t>(known - materials_.begin());
 }
 
 void Candidates::gather(const ShapeIndex& index, const Vec2& center, double radius) {
@@ -118,8 +118,8 @@ void Candidates::gather(const ShapeIndex& index, const Vec2& center, double radi
 void Candidates::number_materials(const ShapeIndex& index) {
   materials_.assign(1, Material{});  // of moving discs
   std::uint32_t last = ~0u;
-  std::uint16_t kind = 0;
-  const auto number = [&](std::uint16_t& material) {
+  std::uint32_t kind = 0;
+  const auto number = [&](std::uint32_t& material) {
     if (material != last) kind = kind_of(index.material(material));
     last = material;
     material = kind;

@@ -108,7 +108,7 @@ class Candidates {
   Cull cull(const View& view, const Wedge& wedge) const;
 
  private:
-  std::uint16_t kind_of(const Material& material);
+  std::uint32_t kind_of(const Material& material);
   void number_materials(const ShapeIndex& index);
   template <class Thing, class Block>
   void sort_outward(const std::vector<Thing>& from, Shelf<Thing, Block>& to);

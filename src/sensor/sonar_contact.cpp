@@ -12,16 +12,16 @@ bool meets(const Face& wall, const Vec2& p, const Vec2& q) {
   const Vec2 leg = q - p, along = wall.b - wall.a;
   const bool crossed = !apart(cross(leg, wall.a - p), cross(leg, wall.b - p)) &&
                        !apart(cross(along, p - wall.a), cross(along, q - wall.a)) && cross(leg, along) != 0;
-  return crossed || distance_to_segment(p, wall.a, wall.b) <= kTouch ||
-         distance_to_segment(q, wall.a, wall.b) <= kTouch || distance_to_segment(wall.a, p, q) <= kTouch ||
-         distance_to_segment(wall.b, p, q) <= kTouch;
+  return crossed || distance_to_segment(p, wall.a, wall.b) <= kContact ||
+         distance_to_segment(q, wall.a, wall.b) <= kContact || distance_to_segment(wall.a, p, q) <= kContact ||
+         distance_to_segment(wall.b, p, q) <= kContact;
 }
 
 bool meets(const Pole& pole, const Vec2& p, const Vec2& q) {
   const Vec2 leg = q - p, e = pole.disc.center - p;
   const double length_squared = leg.squaredNorm();
   const double t = length_squared > 0 ? std::clamp(e.dot(leg) / length_squared, 0.0, 1.0) : 0;
-  return (e - t * leg).norm() <= pole.disc.radius + kTouch;
+  return (e - t * leg).norm() <= pole.disc.radius + kContact;
 }
 
 }  // namespace
@@ -47,14 +47,14 @@ bool Contact::operator()(const ShapeIndex& index, const Candidates& list, const 
   for (const Pole& pole : list.moving().things)
     if (meets(pole, center, transducer)) return true;
   const double leg = (transducer - center).norm();
-  if ((center - place_).norm() + leg + kTouch < free_radius_) return inside_;
+  if ((center - place_).norm() + leg + kContact < free_radius_) return inside_;
 
   look_around(index, list, center);
   if (inside_) return true;
-  if (leg + kTouch < free_radius_) return false;
+  if (leg + kContact < free_radius_) return false;
   bool met = false;
   const auto meet = [&](const auto& thing) { met = met || meets(thing, center, transducer); };
-  for (Outward walk(list, (center - list.center()).norm()); !met && walk.reach() <= leg + kTouch; walk.advance())
+  for (Outward walk(list, (center - list.center()).norm()); !met && walk.reach() <= leg + kContact; walk.advance())
     walk.at_faces() ? list.faces().visit_all(walk.block(), meet) : list.poles().visit_all(walk.block(), meet);
   return met;
 }

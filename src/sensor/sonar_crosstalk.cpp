@@ -16,11 +16,11 @@ class FreePath {
     const double side_a = cross(along_, a), side_b = cross(along_, b);
     if ((side_a > 0) == (side_b > 0)) return false;
     const double range = (along_.dot(a) * side_b - along_.dot(b) * side_a) / (side_b - side_a);
-    return range > kTouch && range < length_ - kTouch;
+    return range > kContact && range < length_ - kContact;
   }
   bool blocked_by(const Pole& pole) const {
     const Vec2 c = pole.disc.center - p_;
-    return (c - std::clamp(along_.dot(c), 0.0, length_) * along_).norm() < pole.disc.radius - kTouch;
+    return (c - std::clamp(along_.dot(c), 0.0, length_) * along_).norm() < pole.disc.radius - kContact;
   }
   /// A wedge that holds the path: a narrow one.
   View view() const { return {p_, along_, left_of(along_)}; }
@@ -100,9 +100,9 @@ double Crosstalk::find_hearers(const SinCos& open, std::span<Ear> ears, const Ea
     // The way to the wall is at most half the whole way and half the way between the two.
     const double between = (ear.view.origin - sender.view.origin).norm();
     const double reach = std::min(common_reach(open, sender.view, ear.view, between), ear.range + between / 2);
-    if (reach + kTouch < sender.nearest) continue;
-    hearers_.push_back({&ear, reach + kTouch});
-    most = std::max(most, reach + kTouch);
+    if (reach + kContact < sender.nearest) continue;
+    hearers_.push_back({&ear, reach + kContact});
+    most = std::max(most, reach + kContact);
   }
   return most;
 }

@@ -191,7 +191,7 @@ void WedgeView::add(const Face& face, std::uint32_t source, double most) {
                     .piece = static_cast<std::uint32_t>(pieces.size() - 1)});
 }
 
-void WedgeView::add_corner(const Vec2& corner, std::uint16_t kind, double most) {
+void WedgeView::add_corner(const Vec2& corner, std::uint32_t kind, double most) {
   const Vec2 p = view.local(corner);
   if (p.y() < wedge.low * p.x() || p.y() > wedge.high * p.x() || wedge.normal.dot(p) < wedge.offset) return;
   const double strength = reflectors[kind].strength * hearing.strength, range = p.norm();
@@ -203,7 +203,7 @@ void WedgeView::add(const Pole& pole, std::uint32_t source, double most) {
   const Vec2 center = view.local(pole.disc.center);
   const double radius = pole.disc.radius, d = center.norm();
   const double depth = wedge.normal.dot(center) - wedge.offset;
-  if (d <= radius + kTouch || !(d - radius < most) || depth <= -radius) return;
+  if (d <= radius + kContact || !(d - radius < most) || depth <= -radius) return;
   const Vec2 toward = center / d;
   const std::optional<Sector> seen = sector_in(wedge, toward, radius / d);
   if (!seen) return;

@@ -13,7 +13,7 @@ namespace meander::sonar {
 
 inline constexpr double kNever = std::numeric_limits<double>::infinity();
 /// Nearer than this is contact, and things beyond a mirror stand at least this far from it [m].
-inline constexpr double kTouch = 1e-9;
+inline constexpr double kContact = 1e-9;
 
 /// Where a transducer listens from: local coordinates X along `ahead`, Y along `left`. The mirror image of a view is a
 /// left-handed one, in which the image of a thing has the coordinates that the thing has in the original.
@@ -41,7 +41,7 @@ struct Face {
   Vec2 a, b;
   Vec2 along;  ///< unit vector a -> b
   double length;
-  std::uint16_t kind;  ///< index of its reflector
+  std::uint32_t kind;  ///< index of its reflector
   bool convex_a, convex_b;
   bool solid;  ///< border of a solid, which lies to its left
   Face(const Wall& wall)
@@ -121,7 +121,7 @@ struct WedgeView {
   /// Adds what of it lies in the wedge and is nearer than `most`.
   void add(const Face& face, std::uint32_t source, double most);
   void add(const Pole& pole, std::uint32_t source, double most);
-  void add_corner(const Vec2& corner, std::uint16_t kind, double most);
+  void add_corner(const Vec2& corner, std::uint32_t kind, double most);
 };
 
 }  // namespace meander::sonar

@@ -12,6 +12,7 @@ namespace {
 
 /// A cycle is driven in equal parts of at most this length [s]: 1.5 cm at the Nomad's full speed.
 constexpr double kPart = 0.025;
+constexpr double kLeastPeriod = 0.001;  ///< [s] as of platforms
 
 std::uint64_t robot_seed(std::uint64_t seed, std::size_t robot) {
   return robot == 0 ? seed : Hash().add(seed).add("robot").add(std::uint64_t{robot}).value();
@@ -24,6 +25,8 @@ Sim::Sim(std::shared_ptr<World> world, std::vector<RobotOptions> robots, SimOpti
   if (!world_) fail("a world expected, got none");
   if (robots.empty()) fail("at least one robot expected, got none");
   validate(options_);
+  if (options_.period != 0 && options_.period < kLeastPeriod)
+    fail("period: 0 (the platform's own) or at least {} s expected, got {}", kLeastPeriod, options_.period);
   period_ = options_.period > 0 ? options_.period : robots.front().platform.period;
   start(robots, options_.seed);
 }
@@ -79,7 +82,7 @@ void Sim::step(std::span<const Command> commands) {
     fail("one command per robot expected: {}, got {}", robots_.size(), commands.size());
   follow_edits();
   const double period = next_period();
-  const int parts = static_cast<int>(std::ceil(period / kPart - 1e-9));
+  const int parts = std::max(1, static_cast<int>(std::ceil(period / kPart - 1e-9)));
   const double dt = period / parts;
   for (std::size_t k = 0; k < robots_.size(); ++k) robots_[k].begin_cycle(commands[k], period);
   movers_.wander(period);

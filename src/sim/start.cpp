@@ -7,9 +7,9 @@
 namespace meander {
 namespace {
 
-/// Says which robot only where there are several.
+/// Says which robot only where there are several, counted from 1 as in scripts.
 std::string label(std::size_t robot, std::size_t count) {
-  return count > 1 ? fmt::format("robot {}: ", robot) : std::string();
+  return count > 1 ? fmt::format("robot {}: ", robot + 1) : std::string();
 }
 
 std::string spot(const Vec2& p) { return fmt::format("({:.2f}, {:.2f})", p.x(), p.y()); }
@@ -63,7 +63,7 @@ std::vector<Pose2> checked_starts(const World& world, const std::vector<RobotOpt
       const double least = radius + robots[other].platform.body.radius;
       if (apart < least)
         fail("{}start {} overlaps robot {} at {}: {:.3f} m apart, at least {:.3f} m expected", who,
-             spot(starts[k].position()), other, spot(starts[other].position()), apart, least);
+             spot(starts[k].position()), other + 1, spot(starts[other].position()), apart, least);
     }
   }
   return starts;

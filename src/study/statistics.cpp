@@ -29,7 +29,7 @@ double quantile(const std::vector<double>& sorted, double share) {
 }
 
 template <class Statistic>
-Estimate bootstrap(std::span<const double> values, Stream& stream, int resamples, double confidence,
+Estimate bootstrap(std::span<const double> values, Stream& stream, int resamples, double confidence, const Work& work,
                    Statistic statistic) {
   if (values.empty()) fail("at least one value expected, got none");
   if (resamples < 1) fail("resamples: a number >= 1 expected, got {}", resamples);
@@ -37,6 +37,7 @@ Estimate bootstrap(std::span<const double> values, Stream& stream, int resamples
   const int count = static_cast<int>(values.size());
   std::vector<double> sample(values.size()), found(static_cast<std::size_t>(resamples));
   for (double& result : found) {
+    work.poll();
     for (double& drawn : sample) drawn = values[static_cast<std::size_t>(stream.below(count))];
     result = statistic(sample);
   }
@@ -70,16 +71,18 @@ Estimate wilson(int successes, int trials, double confidence) {
   return {p, successes == 0 ? 0 : centre - half, successes == trials ? 1 : centre + half};
 }
 
-Estimate bootstrap_mean(std::span<const double> values, Stream& stream, int resamples, double confidence) {
-  return bootstrap(values, stream, resamples, confidence, [](std::span<const double> v) { return mean(v); });
+Estimate bootstrap_mean(std::span<const double> values, Stream& stream, int resamples, double confidence,
+                        const Work& work) {
+  return bootstrap(values, stream, resamples, confidence, work, [](std::span<const double> v) { return mean(v); });
 }
 
-Estimate bootstrap_median(std::span<const double> values, Stream& stream, int resamples, double confidence) {
-  return bootstrap(values, stream, resamples, confidence, [](std::span<const double> v) { return median(v); });
+Estimate bootstrap_median(std::span<const double> values, Stream& stream, int resamples, double confidence,
+                          const Work& work) {
+  return bootstrap(values, stream, resamples, confidence, work, [](std::span<const double> v) { return median(v); });
 }
 
 PairedComparison compare_paired(std::span<const double> a, std::span<const double> b, Stream& stream, int resamples,
-                                double confidence) {
+                                double confidence, const Work& work) {
   if (a.size() != b.size()) fail("as many values in both expected, got {} and {}", a.size(), b.size());
   PairedComparison result;
   std::vector<double> differences;
@@ -87,7 +90,7 @@ PairedComparison compare_paired(std::span<const double> a, std::span<const doubl
     differences.push_back(a[i] - b[i]);
     ++(a[i] > b[i] ? result.a_larger : a[i] < b[i] ? result.b_larger : result.equal);
   }
-  result.difference = bootstrap_mean(differences, stream, resamples, confidence);
+  result.difference = bootstrap_mean(differences, stream, resamples, confidence, work);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "base/random.hpp"
+#include "base/work.hpp"
 
 namespace meander {
 
@@ -24,9 +25,11 @@ Estimate wilson(int successes, int trials, double confidence = 0.95);
 
 /// Mean / median with the percentile bootstrap interval (Efron 1979): the quantiles of the same statistic over
 /// `resamples` samples drawn with replacement. The stream decides the draws, so the interval is repeatable.
-Estimate bootstrap_mean(std::span<const double> values, Stream& stream, int resamples = 2000, double confidence = 0.95);
+/// Asks `work` before every sample whether to go on.
+Estimate bootstrap_mean(std::span<const double> values, Stream& stream, int resamples = 2000, double confidence = 0.95,
+                        const Work& work = {});
 Estimate bootstrap_median(std::span<const double> values, Stream& stream, int resamples = 2000,
-                          double confidence = 0.95);
+                          double confidence = 0.95, const Work& work = {});
 
 /// Two ways tried on the same seeds: a[i] and b[i] belong to trial i.
 struct PairedComparison {
@@ -36,6 +39,6 @@ struct PairedComparison {
   int equal = 0;
 };
 PairedComparison compare_paired(std::span<const double> a, std::span<const double> b, Stream& stream,
-                                int resamples = 2000, double confidence = 0.95);
+                                int resamples = 2000, double confidence = 0.95, const Work& work = {});
 
 }  // namespace meander

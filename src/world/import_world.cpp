@@ -15,7 +15,9 @@ using Importer = Imported (*)(const std::string&, const ImportOptions&, const Wo
 
 TraceOptions trace_options(const ImportOptions& o) { return {o.epsilon, o.min_area}; }
 
-Imported from_toml(const std::string& path, const ImportOptions&, const Work&) { return {read_world(path), {}}; }
+Imported from_toml(const std::string& path, const ImportOptions&, const Work& work) {
+  return {read_world(path, work), {}};
+}
 
 Imported from_ros_map(const std::string& path, const ImportOptions& o, const Work& work) {
   return import_ros_map(path, {o.unknown, o.convention, trace_options(o)}, work);

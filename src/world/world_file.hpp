@@ -3,6 +3,7 @@
 #pragma once
 #include <string>
 
+#include "base/work.hpp"
 #include "world/world.hpp"
 
 namespace meander {
@@ -15,8 +16,8 @@ inline constexpr std::size_t kLargestWorldFile = 64 << 20;  ///< [bytes]
 /// of a thing is told by its keys: points (wall), outer (polygon), center and size (box), center and radius (disc), and
 /// for doors from and to. Metres and radians. Throws FileError
 /// "path:line: [[obstacle]] 'crate': key 'size': [width, height] expected, got 3 numbers".
-World read_world(const std::string& path);
-World world_from_toml(const std::string& text, const std::string& path_for_messages = "world");
+World read_world(const std::string& path, const Work& work = {});
+World world_from_toml(const std::string& text, const std::string& path_for_messages = "world", const Work& work = {});
 
 /// The one canonical text of a world: world_from_toml(to_toml(w)) == w, and equal worlds give equal texts.
 std::string to_toml(const World& world);

@@ -166,7 +166,8 @@ struct Entry {
 
 class WorldReader {
  public:
-  WorldReader(const toml::table& root, const std::string& path) : root_(root), path_(path) {}
+  WorldReader(const toml::table& root, const std::string& path, const Work& work)
+      : root_(root), path_(path), work_(work) {}
 
   World read() {
     check_top_level();
@@ -181,7 +182,10 @@ class WorldReader {
     } catch (const ArgumentError& error) {
       table.refuse(error.what());
     }
-    for (const Entry& entry : entries_) add(world, entry);
+    for (const Entry& entry : entries_) {
+      work_.poll();
+      add(world, entry);
+    }
     world.forget_history();
     return world;
   }
@@ -238,15 +242,18 @@ class WorldReader {
 
   const toml::table& root_;
   const std::string& path_;
+  const Work& work_;
   std::vector<Entry> entries_;
   std::set<std::string> taken_;
 };
 
 }  // namespace
 
-World read_world(const std::string& path) { return world_from_toml(read_text_file(path, kLargestWorldFile), path); }
+World read_world(const std::string& path, const Work& work) {
+  return world_from_toml(read_text_file(path, kLargestWorldFile), path, work);
+}
 
-World world_from_toml(const std::string& text, const std::string& path) {
+World world_from_toml(const std::string& text, const std::string& path, const Work& work) {
   toml::table root;
   try {
     root = toml::parse(text, path);
@@ -256,7 +263,7 @@ World world_from_toml(const std::string& text, const std::string& path) {
     if (!what.empty()) what[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(what[0])));
     fail<FileError>("{}:{}:{}: {}", path, error.source().begin.line, error.source().begin.column, what);
   }
-  return WorldReader(root, path).read();
+  return WorldReader(root, path, work).read();
 }
 
 }  // namespace meander

@@ -76,6 +76,34 @@ TEST_F(AtomicFile, FollowsSymbolicLinks) {
   EXPECT_EQ(content(at("target")), "new");
 }
 
+TEST_F(AtomicFile, FollowsLinksToWhatIsNotThereYet) {
+  fs::create_directory(at("sub"));
+  fs::create_symlink("sub/second", at("first"));
+  fs::create_symlink("target", at("sub/second"));
+  write_file_atomically(at("first"), "new");
+  EXPECT_TRUE(fs::is_symlink(at("first")));
+  EXPECT_TRUE(fs::is_symlink(at("sub/second")));
+  EXPECT_EQ(content(at("sub/target")), "new");
+  write_file_atomically(at("first"), "newer");
+  EXPECT_EQ(content(at("sub/target")), "newer");
+  fs::create_symlink("nowhere/target", at("lost"));
+  EXPECT_EQ(refusal(at("lost")), at("lost") + ": cannot be written: No such file or directory");
+  fs::create_symlink("loop", at("loop"));
+  EXPECT_EQ(refusal(at("loop")), at("loop") + ": cannot be written: Too many levels of symbolic links");
+  EXPECT_TRUE(fs::is_symlink(at("lost")));
+  EXPECT_EQ(files(), 4u);
+}
+
+TEST_F(AtomicFile, NamesMayBeAsLongAsTheSystemAllows) {
+  const std::string longest(255, 'n');
+  write_file_atomically(at(longest.c_str()), "old");
+  write_file_atomically(at(longest.c_str()), "new");
+  EXPECT_EQ(content(at(longest.c_str())), "new");
+  EXPECT_EQ(files(), 1u);
+  EXPECT_EQ(refusal(at((longest + "n").c_str())),
+            at((longest + "n").c_str()) + ": cannot be written: File name too long");
+}
+
 TEST_F(AtomicFile, RefusalNamesFileAndReason) {
   EXPECT_EQ(refusal(at("no/such/file")),
             at("no/such/file") + ": cannot be written: there is no folder '" + at("no/such") + "'");

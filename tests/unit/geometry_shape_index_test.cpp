@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <set>
+
 #include "geometry_brute_force.hpp"
 
 namespace meander {
@@ -175,6 +178,63 @@ TEST(ShapeIndex, GathersEachPieceOnceWhateverTheHistory) {
       EXPECT_EQ(walls.size(), expected);
       EXPECT_EQ(poles.size(), round);
     }
+  }
+}
+
+/// Every piece has the material of its owner, however many materials came and went.
+TEST(ShapeIndex, MaterialsOfReplacedShapesMakeRoomForNewOnes) {
+  constexpr int kReplacements = 70000, kOwners = 20;
+  Stream random(1, "materials");
+  ShapeIndex index;
+  Shapes shapes;
+  std::map<std::uint32_t, Material> materials;
+  for (int i = 0; i < kReplacements; ++i) {
+    const auto owner = static_cast<std::uint32_t>(i % kOwners);
+    if (index.has(owner)) index.remove(owner);
+    shapes[owner] = Disc{random_point(random, 10), 0.3};
+    if (i % 3 == 0) shapes[owner] = Rectangle{random_point(random, 10), {0.5, 1}, 0.3};
+    materials[owner] = {.echo = static_cast<double>(i / 2) / kReplacements};  // two owners share each
+    if (i % 4 == 0) materials[owner].specular_limit = random.uniform(0, 1.5);
+    index.insert(owner, shapes[owner], materials[owner]);
+  }
+  std::vector<Wall> walls;
+  std::vector<Pole> poles;
+  index.gather({0, 0}, 100, walls, poles);
+  EXPECT_FALSE(walls.empty() || poles.empty());
+  const auto expect_own = [&](const auto& piece) {
+    const Material &found = index.material(piece.material), &own = materials[piece.owner];
+    EXPECT_EQ(found.echo, own.echo);
+    EXPECT_TRUE(found.specular_limit == own.specular_limit ||
+                (std::isnan(found.specular_limit) && std::isnan(own.specular_limit)));
+  };
+  for (const Wall& wall : walls) expect_own(wall);
+  for (const Pole& pole : poles) expect_own(pole);
+  Tally tally;
+  expect_like_brute_force(index, shapes, random, 12, 300, tally);
+  EXPECT_GT(tally.hits, 50);
+}
+
+/// The unordered walk meets the pieces that gather() lists, and no others.
+TEST(ShapeIndex, WalksAroundThePiecesThatItGathers) {
+  Stream random(3, "around");
+  ShapeIndex index;
+  for (std::uint32_t owner = 0; owner < 40; ++owner) index.insert(owner, random_shape(random, 10, 3));
+  for (int i = 0; i < 200; ++i) {
+    const Vec2 center = random_point(random, 12);
+    const double radius = random.uniform(0, 6);
+    std::vector<Wall> walls;
+    std::vector<Pole> poles;
+    index.gather(center, radius, walls, poles);
+    using Ends = std::array<double, 4>;
+    const auto ends = [](const Wall& w) { return Ends{w.a.x(), w.a.y(), w.b.x(), w.b.y()}; };
+    const auto rim = [](const Disc& d) { return Ends{d.center.x(), d.center.y(), d.radius, 0}; };
+    std::set<Ends> listed, met;
+    for (const Wall& wall : walls) listed.insert(ends(wall));
+    for (const Pole& pole : poles) listed.insert(rim(pole.disc));
+    index.around(
+        center, radius, [&](const Wall& wall) { met.insert(ends(wall)); },
+        [&](const Disc& disc) { met.insert(rim(disc)); });
+    EXPECT_EQ(met, listed);
   }
 }
 

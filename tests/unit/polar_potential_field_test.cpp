@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "polar/echo.hpp"
@@ -33,6 +34,22 @@ TEST(PotentialFieldTest, DrivesStraightToASubgoalInTheOpen) {
   EXPECT_EQ(step.status, NavigatorStatus::driving);
   EXPECT_NEAR(step.command.v, platform("nomad200").body.v_max, 1e-12);
   EXPECT_NEAR(step.command.w, 0, 1e-12);
+}
+
+/// A platform that needs 5000 km to stop: the look ahead is bounded, and sees the wall before it all the same.
+TEST(PotentialFieldTest, LooksAheadOnlySoFarWhereBrakingIsWeak) {
+  Platform weak = platform("nomad200");
+  weak.body.v_max = 100;
+  weak.body.a_v = 1e-3;
+  Observation open = seeing({}, {{8, 1.0}}, 100), closed = seeing({}, {{0, 1.5}}, 100);
+  open.period = closed.period = 0.001;
+  Navigator navigator = potential_field(weak);
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_GT(navigator.step(open, ahead(1e9)).command.v, 1);
+    EXPECT_EQ(navigator.step(closed, ahead(1e9)).command.v, 0);
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
 }
 
 TEST(PotentialFieldTest, TurnsTowardsTheSubgoalOnEitherSideAlike) {

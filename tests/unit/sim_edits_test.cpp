@@ -112,7 +112,7 @@ TEST(Start, SaysWhatIsWrongAndWhere) {
             "start (12.00, 2.00) is outside the world's bounds (0.00, 0.00) to (10.00, 4.00)");
   EXPECT_EQ(refusal(world, {nomad(Pose2{1, nan, 0})}), "start: finite x, y and heading expected, got (1, nan, 0)");
   EXPECT_EQ(refusal(world, {nomad(Pose2{5, 2, 0}), nomad(Pose2{5.3, 2, 0})}),
-            "robot 1: start (5.30, 2.00) overlaps robot 0 at (5.00, 2.00): 0.300 m apart, at least 0.533 m expected");
+            "robot 2: start (5.30, 2.00) overlaps robot 1 at (5.00, 2.00): 0.300 m apart, at least 0.533 m expected");
   EXPECT_EQ(refusal(world, {}), "at least one robot expected, got none");
   EXPECT_EQ(refusal(nullptr, {nomad()}), "a world expected, got none");
   EXPECT_EQ(refusal(std::make_shared<World>(), {nomad()}),

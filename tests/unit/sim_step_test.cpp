@@ -159,6 +159,17 @@ TEST(Step, BumpersTellContact) {
   EXPECT_EQ(sim.observation().readings.bumper.at(0), 1) << "the one in front";
 }
 
+/// Also where jitter makes the least period ten times shorter.
+TEST(Step, PeriodsAreAtLeastAMillisecond) {
+  for (const double period : {1e-12, 1e-9, 0.000999})
+    EXPECT_THROW(Sim(room(20, 20), {nomad(Pose2{10, 10, 0})}, {.period = period}), ArgumentError) << period;
+  Sim sim(room(20, 20), {nomad(Pose2{10, 10, 0})}, {.period = 0.001, .period_jitter = 1});
+  for (int i = 0; i < 2000; ++i) sim.step({0.5, 0.2, 0});
+  EXPECT_GT(sim.time(), 0.5);
+  EXPECT_TRUE(sim.state().pose_world.position().allFinite());
+  EXPECT_GT(sim.state().pose_world.x, 10.05);
+}
+
 TEST(Step, PeriodJitterKeepsTheMean) {
   Sim sim(room(20, 20), {nomad(Pose2{10, 10, 0})}, {.period = 0.1, .period_jitter = 0.2});
   double shortest = 1, longest = 0;

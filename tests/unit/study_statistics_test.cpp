@@ -84,6 +84,18 @@ TEST(Bootstrap, OneValueIsCertain) {
   EXPECT_THROW(bootstrap_mean(one, stream, 0), ArgumentError);
 }
 
+TEST(Bootstrap, StopsWhenAskedTo) {
+  StopToken stop;
+  const Work work{.stop = &stop, .progress = {}};
+  const std::vector<double> two{5, 6};
+  Stream stream(1, "x"), same(1, "x");
+  EXPECT_EQ(bootstrap_mean(two, stream, 50, 0.9, work).low, bootstrap_mean(two, same, 50, 0.9).low);
+  stop.request();
+  EXPECT_THROW(bootstrap_mean(two, stream, 10, 0.95, work), Cancelled);
+  EXPECT_THROW(bootstrap_median(two, stream, 10, 0.95, work), Cancelled);
+  EXPECT_THROW(compare_paired(two, two, stream, 10, 0.95, work), Cancelled);
+}
+
 TEST(Paired, SeesAConstantDifferenceThroughLargeCommonNoise) {
   Stream data(2, "data"), draws(2, "bootstrap");
   std::vector<double> a, b;
