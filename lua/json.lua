@@ -29,8 +29,13 @@ end
 local encode
 
 local function list(t, depth)
-  local parts = {}
-  for i = 1, #t do parts[i] = encode(t[i], nil, depth) end
+  local parts, size = {}, #t
+  for key in pairs(t) do
+    if math.type(key) ~= "integer" or key < 1 or key > size then
+      error("json.encode: list with a key '" .. tostring(key) .. "'; only 1..n or only strings expected", 0)
+    end
+  end
+  for i = 1, size do parts[i] = encode(t[i], nil, depth) end
   return "[" .. table.concat(parts, ",") .. "]"
 end
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
+#include <lualib.h>
+
 #include "script/bind.hpp"
 #include "script/kit_function.hpp"
 #include "script/kit_module.hpp"
 #include "script/kit_options.hpp"
+#include "script/lua_traceback.hpp"
 #include "script/pack.hpp"
 #include "script/values.hpp"
 #include "study/statistics.hpp"
@@ -25,7 +28,7 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"seeds", "", "one trial for each"}, o.seeds);
   visit(Field{"count", "", "so many trials, with seeds that follow from `seed`", 0, 1e9}, o.count);
   visit(Field{"seed", "", "from which the seeds of the trials follow"}, o.seed);
-  visit(Field{"jobs", "", "worker processes; 0: one per core, 1: none, in this process", 0, 1024}, o.jobs);
+  visit(Field{"jobs", "", "trials at a time, each in a process of its own; 0: one per core", 0, 1024}, o.jobs);
 }
 
 struct IntervalOptions {
@@ -52,21 +55,50 @@ std::vector<std::uint64_t> seeds_of(const TrialsTable& table) {
   return seeds;
 }
 
-/// One trial in a worker: the result as bytes. Lua's error becomes an exception, which a worker can report.
-std::string run_trial(const Function& trial, std::uint64_t seed, std::size_t index) {
-  lua_State* L = trial.push();
-  luaL_checkstack(L, 4, nullptr);
-  push(L, seed);
-  push(L, static_cast<int>(index) + 1);
-  if (lua_pcall(L, 2, 1, 0) != LUA_OK) {
-    if (session(L).stop.requested()) throw Cancelled{};
-    const std::string problem = luaL_tolstring(L, -1, nullptr);
-    lua_pop(L, 2);
-    throw Error(problem);
+void seed_math_random(lua_State* L, std::uint64_t seed) {
+  lua_getfield(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+  lua_getfield(L, -1, LUA_MATHLIBNAME);
+  lua_getfield(L, -1, "randomseed");
+  lua_pushinteger(L, static_cast<lua_Integer>(seed));
+  lua_call(L, 1, 0);
+  lua_pop(L, 2);
+}
+
+struct TrialCall {
+  const Function& trial;
+  std::uint64_t seed;
+  std::size_t index;
+  std::string bytes;  ///< the result
+};
+
+/// All of a trial that can raise a Lua error; argument 1 is its TrialCall.
+int call_trial(lua_State* L) {
+  auto& call = *static_cast<TrialCall*>(lua_touserdata(L, 1));
+  seed_math_random(L, call.seed);
+  call.trial.push();
+  push(L, call.seed);
+  push(L, static_cast<int>(call.index) + 1);
+  lua_call(L, 2, 1);
+  std::string problem;
+  try {
+    call.bytes = pack(L, -1);
+    return 0;
+  } catch (const std::exception& error) {
+    problem = error.what();
   }
-  std::string bytes = pack(L, -1);
-  lua_pop(L, 1);
-  return bytes;
+  push(L, problem);
+  return lua_error(L);
+}
+
+/// One trial in its process: the result as bytes. Lua's error becomes an exception, which a worker can report.
+std::string run_trial(lua_State* L, const Function& trial, std::uint64_t seed, std::size_t index) {
+  session(L).progress = nullptr;  // the line of the terminal is the parent's
+  TrialCall call{trial, seed, index, {}};
+  luaL_checkstack(L, 4, nullptr);
+  lua_pushcfunction(L, call_trial);
+  lua_pushlightuserdata(L, &call);
+  if (ErrorReport report; !call_reporting(L, 1, report)) throw Error(report.message);
+  return std::move(call.bytes);
 }
 
 void push_trial(lua_State* L, const TrialResult& result, std::uint64_t seed) {
@@ -88,7 +120,8 @@ Pushed trials(const TrialsTable& table, const Call& call) {
   lua_createtable(L, static_cast<int>(seeds.size()), 0);
   const int list = lua_gettop(L);
   run_trials(
-      seeds.size(), table.jobs, call.work(), [&](std::size_t i) { return run_trial(table.trial.value, seeds[i], i); },
+      seeds.size(), table.jobs, call.work(),
+      [&](std::size_t i) { return run_trial(L, table.trial.value, seeds[i], i); },
       [&](const TrialResult& result) {
         push_trial(L, result, seeds[result.index]);
         lua_rawseti(L, list, static_cast<lua_Integer>(result.index) + 1);
@@ -168,15 +201,18 @@ void bind_statistics(Module module) {
 
 void bind_study(lua_State* L) {
   Module module(L, "meander.study", "Trials over seeds, and their statistics.");
-  module.function<&trials>(
-      Doc{.name = "trials",
-          .text = "Runs a function over seeds in worker processes; results come in seed order whatever finishes first.",
-          .args = {{"options", "the function and the seeds"}},
-          .returns = "list of tables: seed, ok, and value (of a run: its figures) or error",
-          .errors = "neither seeds nor count",
-          .example =
-              "r = meander.study.trials { seeds = {1, 2}, jobs = 1, trial = function(seed) return { twice = 2 * seed } "
-              "end } print(r[2].value.twice)"});
+  module.function<&trials>(Doc{
+      .name = "trials",
+      .text =
+          "Runs a function over seeds. Each trial has its own process, forked when its turn comes, and math.random is "
+          "seeded with its seed: nothing carries over from trial to trial or back to the caller, and the number "
+          "of jobs changes no result. Results come in the order of the seeds.",
+      .args = {{"options", "the function and the seeds"}},
+      .returns = "list of tables: seed, ok, and value (of a run: its figures) or error",
+      .errors = "neither seeds nor count; no process to be had",
+      .example =
+          "r = meander.study.trials { seeds = {1, 2}, jobs = 1, trial = function(seed) return { twice = 2 * seed } "
+          "end } print(r[2].value.twice)"});
   bind_statistics(module);
 }
 

@@ -19,8 +19,13 @@ Json to_json(lua_State* L, int index, int depth);
 
 Json key_of(lua_State* L, int index) {
   if (lua_type(L, index) != LUA_TSTRING)
-    fail("results with keys that are strings or 1 to n expected, got {}", describe(L, index));
+    fail("results with keys that are strings or 1 to n expected, got the key {}", describe(L, index));
   return std::string(lua_tostring(L, index), lua_rawlen(L, index));
+}
+
+bool in_list(lua_State* L, int key, lua_Unsigned size) {
+  // 0 and negative keys become larger than any size.
+  return lua_isinteger(L, key) && static_cast<lua_Unsigned>(lua_tointeger(L, key)) - 1 < size;
 }
 
 Json table_json(lua_State* L, int table, int depth) {
@@ -34,7 +39,7 @@ Json table_json(lua_State* L, int table, int depth) {
   }
   lua_pushnil(L);
   for (; lua_next(L, table); lua_pop(L, 1))
-    if (!lua_isinteger(L, -2) || size == 0) object[key_of(L, -2)] = to_json(L, -1, depth + 1);
+    if (!in_list(L, -2, size)) object[key_of(L, -2)] = to_json(L, -1, depth + 1);
   if (!list.empty() && !object.empty()) fail("results that are lists or have keys by name expected, got both in one");
   return object.empty() ? list : object;
 }

@@ -8,7 +8,8 @@
 namespace meander::script {
 
 /// The Lua value at `index` as bytes: nil, booleans, numbers, strings, and tables of these whose keys are 1 .. n or
-/// strings. A run becomes the table of its figures. Throws ArgumentError for anything else and for cycles.
+/// strings. A run becomes the table of its figures. Throws ArgumentError for anything else, other keys and cycles
+/// included.
 std::string pack(lua_State* L, int index);
 
 /// Pushes what pack() wrote.

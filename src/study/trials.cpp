@@ -5,10 +5,12 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <exception>
+#include <iterator>
 #include <list>
 #include <map>
+#include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "study/worker.hpp"
@@ -18,6 +20,8 @@ namespace {
 
 /// A stop is seen within this time [ms].
 constexpr int kPollTime = 50;
+/// So many attempts to get a process fail before the study does: 5 s when none is at work.
+constexpr int kPatience = 100;
 
 /// Holds back what came too early.
 class InOrder {
@@ -44,25 +48,19 @@ class InOrder {
   std::map<std::size_t, TrialResult> early_;
 };
 
-TrialResult run_here(const std::function<std::string(std::size_t)>& trial, std::size_t index) {
-  try {
-    return {index, true, trial(index)};
-  } catch (const std::exception& e) {
-    return {index, false, e.what()};
-  }
-}
-
 class Crew {
  public:
   Crew(std::size_t count, std::size_t jobs, const std::function<std::string(std::size_t)>& trial)
       : count_(count), jobs_(std::min(jobs, count)), trial_(trial) {}
 
-  /// Everybody has something to do, as long as there is anything.
+  /// As many trials at work as there are jobs. A machine that gives no more processes gets fewer jobs.
   void employ() {
-    std::erase_if(workers_, [](const Worker& worker) { return worker.dead(); });
-    while (workers_.size() < std::min(jobs_, workers_busy() + count_ - next_)) hire();
-    for (Worker& worker : workers_)
-      if (worker.idle() && next_ < count_) worker.start(next_++);
+    try {
+      while (workers_.size() < jobs_ && next_ < count_) hire();
+    } catch (const Error&) {
+      if (next_ == 0 || ++refused_ > kPatience) throw;
+      jobs_ = std::max<std::size_t>(1, workers_.size());
+    }
   }
 
   /// Waits a moment for results.
@@ -72,21 +70,20 @@ class Crew {
     for (const Worker& worker : workers_) waiting.push_back({worker.descriptor(), POLLIN, 0});
     if (poll(waiting.data(), waiting.size(), kPollTime) <= 0) return;  // time is up, or a signal came
     auto ready = waiting.begin();
-    for (Worker& worker : workers_)
-      if ((ready++)->revents)
-        if (auto result = worker.receive()) take(std::move(*result));
+    for (auto worker = workers_.begin(); worker != workers_.end();) {
+      auto result = (ready++)->revents ? worker->receive() : std::nullopt;
+      worker = result ? workers_.erase(worker) : std::next(worker);
+      if (result) take(std::move(*result));
+    }
   }
 
  private:
-  std::size_t workers_busy() const {
-    return static_cast<std::size_t>(
-        std::count_if(workers_.begin(), workers_.end(), [](const Worker& worker) { return !worker.idle(); }));
-  }
-
   void hire() {
     std::vector<int> open;
     for (const Worker& worker : workers_) open.push_back(worker.descriptor());
-    workers_.emplace_back(trial_, open);
+    workers_.emplace_back(trial_, next_, open);
+    ++next_;
+    refused_ = 0;
   }
 
   std::size_t count_;
@@ -94,6 +91,7 @@ class Crew {
   const std::function<std::string(std::size_t)>& trial_;
   std::list<Worker> workers_;
   std::size_t next_ = 0;
+  int refused_ = 0;  ///< attempts in a row to get a process
 };
 
 }  // namespace
@@ -102,13 +100,6 @@ void run_trials(std::size_t count, int jobs, const Work& work, const std::functi
                 const std::function<void(const TrialResult&)>& take) {
   if (jobs < 0) fail("jobs: a number >= 0 expected, got {}", jobs);
   InOrder results(count, work, take);
-  if (jobs == 1) {
-    for (std::size_t i = 0; i < count; ++i) {
-      work.poll();
-      results.add(run_here(trial, i));
-    }
-    return;
-  }
   const std::size_t workers =
       jobs > 0 ? static_cast<std::size_t>(jobs) : std::max(1u, std::thread::hardware_concurrency());
   Crew crew(count, workers, trial);
@@ -117,6 +108,7 @@ void run_trials(std::size_t count, int jobs, const Work& work, const std::functi
     crew.employ();
     crew.listen([&](TrialResult result) { results.add(std::move(result)); });
   }
+  work.poll();  // what a trial says that was forked after the stop counts for nothing
 }
 
 }  // namespace meander

@@ -16,11 +16,12 @@ struct TrialResult {
   std::string text;  ///< what the trial returned; when not ok: what went wrong, in words
 };
 
-/// Runs trial(0) .. trial(count - 1) in `jobs` worker processes (0: one per core) and hands each result to `take` in
-/// this process, in the order of the index, whatever finishes first. A trial that throws, exits or crashes is one
-/// result with ok = false; the others go on. A stop kills the workers and throws Cancelled. jobs = 1 runs in this
-/// process, where a crash is a crash. Workers are forks: what trials change in memory is not seen here, and a trial
-/// must not use threads that were started before. `take` may throw: that ends the study.
+/// Runs trial(0) .. trial(count - 1), each in a process of its own, forked from this one when its turn comes, and
+/// `jobs` of them at a time (0: one per core). Nothing carries over from trial to trial, so the number of jobs changes
+/// no result. Hands each result to `take` in this process, in the order of the index, whatever finishes first. A trial
+/// that throws, exits or crashes is one result with ok = false; the others go on. A stop kills the workers and throws
+/// Cancelled. A machine that gives fewer processes gets fewer jobs; Error when it gives none. A trial must not use
+/// threads that were started before. `take` may throw: that ends the study.
 void run_trials(std::size_t count, int jobs, const Work& work, const std::function<std::string(std::size_t)>& trial,
                 const std::function<void(const TrialResult&)>& take);
 

@@ -21,6 +21,9 @@
 namespace meander {
 namespace {
 
+/// Exit code of a child in which something was thrown that no trial should throw; EX_SOFTWARE of sysexits.h.
+constexpr int kEscaped = 70;
+
 /// What goes before the text of a result.
 struct Head {
   std::uint64_t ok;
@@ -35,18 +38,6 @@ bool send_all(int socket, const void* data, std::size_t size) {
     if (sent <= 0) return false;
     at += sent;
     size -= static_cast<std::size_t>(sent);
-  }
-  return true;
-}
-
-bool receive_all(int socket, void* data, std::size_t size) {
-  char* at = static_cast<char*>(data);
-  while (size > 0) {
-    const ssize_t got = recv(socket, at, size, 0);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    at += got;
-    size -= static_cast<std::size_t>(got);
   }
   return true;
 }
@@ -67,19 +58,21 @@ void flush_all() {
   std::fflush(nullptr);
 }
 
-/// The child's whole life. Ends by _exit: what the parent had registered for its own end must not run twice.
-[[noreturn]] void serve(int socket, const std::function<std::string(std::size_t)>& trial) {
+/// The child's whole life. Ends by _exit: what the parent had registered for its own end must not run twice. Nothing
+/// may leave it, errors of any type included: they would go on in a second copy of the parent.
+[[noreturn]] void serve(int socket, const std::function<std::string(std::size_t)>& trial, std::size_t index) noexcept {
   // Ctrl-C reaches the whole process group; the parent decides what it means. Without a parent there is nothing to do.
   signal(SIGINT, SIG_IGN);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  std::uint64_t index = 0;
-  while (receive_all(socket, &index, sizeof index)) {
+  try {
     const TrialResult result = run(trial, index);
     flush_all();
     const Head head{result.ok, result.text.size()};
-    if (!send_all(socket, &head, sizeof head) || !send_all(socket, result.text.data(), result.text.size())) break;
+    if (send_all(socket, &head, sizeof head)) send_all(socket, result.text.data(), result.text.size());
+    _exit(0);
+  } catch (...) {
+    _exit(kEscaped);
   }
-  _exit(0);
 }
 
 std::string how_it_died(int status) {
@@ -99,7 +92,8 @@ int end_process(pid_t process) {
 
 }  // namespace
 
-Worker::Worker(const std::function<std::string(std::size_t)>& trial, std::span<const int> others) {
+Worker::Worker(const std::function<std::string(std::size_t)>& trial, std::size_t index, std::span<const int> others)
+    : trial_(index) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     fail<Error>("cannot start a worker process: {}", std::strerror(errno));
@@ -114,7 +108,7 @@ Worker::Worker(const std::function<std::string(std::size_t)>& trial, std::span<c
   if (process_ == 0) {
     close(ends[0]);
     for (const int other : others) close(other);
-    serve(ends[1], trial);
+    serve(ends[1], trial, index);
   }
   close(ends[1]);
   socket_ = ends[0];
@@ -126,34 +120,17 @@ Worker::~Worker() {
   end_process(process_);
 }
 
-void Worker::start(std::size_t trial) {
-  trial_ = trial;
-  const std::uint64_t index = trial;
-  send_all(socket_, &index, sizeof index);  // a failure shows as the end of the stream, in receive()
-}
-
 std::optional<TrialResult> Worker::receive() {
   char part[1 << 16];
   const ssize_t got = recv(socket_, part, sizeof part, MSG_DONTWAIT);
   if (got < 0 && (errno == EINTR || errno == EAGAIN)) return std::nullopt;
-  if (got <= 0) {
-    dead_ = true;
-    return trial_ ? std::optional(obituary()) : std::nullopt;
-  }
+  if (got <= 0) return TrialResult{trial_, false, how_it_died(end_process(std::exchange(process_, -1)))};
   inbox_.append(part, static_cast<std::size_t>(got));
   Head head;
   if (inbox_.size() < sizeof head) return std::nullopt;
   std::memcpy(&head, inbox_.data(), sizeof head);
   if (inbox_.size() < sizeof head + head.size) return std::nullopt;
-  TrialResult result{*trial_, head.ok != 0, inbox_.substr(sizeof head)};
-  inbox_.clear();
-  trial_.reset();
-  return result;
-}
-
-TrialResult Worker::obituary() {
-  const int status = end_process(std::exchange(process_, -1));
-  return {*std::exchange(trial_, std::nullopt), false, how_it_died(status)};
+  return TrialResult{trial_, head.ok != 0, inbox_.substr(sizeof head)};
 }
 
 }  // namespace meander

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "script/bindings.hpp"
 #include "script_state.hpp"
@@ -16,7 +17,7 @@ class StudyScript : public ScriptState {
   }
 };
 
-TEST_F(StudyScript, TrialsComeInSeedOrderFromWorkersAndFromThisProcess) {
+TEST_F(StudyScript, TrialsComeInSeedOrderForAnyNumberOfJobs) {
   for (const char* jobs : {"1", "2", "0"})
     EXPECT_EQ(run(std::string("local r = trials { seeds = {3, 1, 2}, jobs = ") + jobs +
                   ", trial = function(seed, i) return { twice = 2 * seed, i = i, nan = 0/0, list = {1, 2.5, 'x', true} "
@@ -51,6 +52,77 @@ TEST_F(StudyScript, AFailedTrialIsAResult) {
   EXPECT_EQ(run("local t = {} t.t = t local r = trials { seeds = {1}, jobs = 1, trial = function() return t end }\n"
                 "return r[1].error"),
             "results nested at most 64 tables deep expected");
+}
+
+TEST_F(StudyScript, ErrorsThatAreNoTextStayInTheTrial) {
+  const pid_t parent = getpid();
+  const std::string result =
+      run("local r = trials { count = 5, jobs = 2, trial = function(_, i)\n"
+          "  if i == 1 then error(setmetatable({}, { __tostring = function() error 'inner' end })) end\n"
+          "  if i == 2 then error(setmetatable({}, { __tostring = function() return 'outer' end })) end\n"
+          "  if i == 3 then error {} end\n"
+          "  if i == 4 then error() end\n"
+          "  return i end }\n"
+          "return r[1].error, r[2].error, r[3].error, r[4].error, r[5].value");
+  if (getpid() != parent) _exit(9);
+  EXPECT_EQ(result, "test:2: inner outer error value is a table, not a text error without a message 5");
+}
+
+TEST_F(StudyScript, TheNumberOfJobsChangesNothing) {
+  std::string first;
+  for (const char* jobs : {"1", "2", "7"}) {
+    const std::string result =
+        run("calls = 0 local up = 0\n"
+            "local r = trials { count = 9, jobs = " +
+            std::string(jobs) +
+            ", trial = function(seed, i)\n"
+            "  calls, up = calls + 1, up + i\n"
+            "  return table.concat({ calls, up, math.random(1000000), math.random() }, ' ') end }\n"
+            "local all = {} for i, t in ipairs(r) do all[i] = t.value end\n"
+            "return calls, up, all[1] ~= all[2], table.concat(all, ';')");
+    EXPECT_TRUE(result.starts_with("0 0 true 1 1 ")) << result;
+    if (first.empty()) first = result;
+    EXPECT_EQ(result, first) << jobs;
+  }
+  EXPECT_EQ(run("local r = trials { seeds = {7}, trial = function() return math.random() end }\n"
+                "math.randomseed(7) return r[1].value == math.random()"),
+            "true");
+}
+
+TEST_F(StudyScript, TablesThatCannotBeCarriedAreRefused) {
+  const auto error_of = [&](const std::string& value) {
+    return run("local r = trials { seeds = {1}, trial = function() return " + value +
+               " end }\nreturn r[1].ok, r[1].error");
+  };
+  const std::string keys = "false results with keys that are strings or 1 to n expected, got the key ";
+  EXPECT_EQ(error_of("{1, 2, [10] = 5}"), keys + "number 10");
+  EXPECT_EQ(error_of("{1, 2, [0] = 7}"), keys + "number 0");
+  EXPECT_EQ(error_of("{[-1] = 7}"), keys + "number -1");
+  EXPECT_EQ(error_of("{1, [1.5] = 7}"), keys + "number 1.5");
+  EXPECT_EQ(error_of("{1, 2, x = 3}"), "false results that are lists or have keys by name expected, got both in one");
+}
+
+TEST_F(StudyScript, JsonRefusesWhatItCannotCarry) {
+  run("json = dofile '" MEANDER_SOURCE_DIR "/lua/json.lua'");
+  EXPECT_EQ(run("return json.encode({1, 2, {x = 3}}), json.encode {}"), "[1,2,{\"x\":3}] []");
+  EXPECT_EQ(run("return json.encode {1, 2, x = 3}"),
+            "error: json.encode: list with a key 'x'; only 1..n or only strings expected");
+  EXPECT_EQ(run("return json.encode {1, 2, [10] = 3}"),
+            "error: json.encode: list with a key '10'; only 1..n or only strings expected");
+}
+
+TEST_F(StudyScript, OnlyTheCallerShowsProgress) {
+  const pid_t parent = getpid();
+  std::string labels;
+  session_.progress = [&](double, std::string_view label) {
+    if (getpid() != parent) _exit(9);
+    labels += std::string(label) + " ";
+  };
+  EXPECT_EQ(run("local function inner() return trials { count = 2, trial = function() return 1 end }[2].value end\n"
+                "local r = trials { count = 3, jobs = 2, trial = inner }\n"
+                "return r[1].ok, r[2].value, r[3].value"),
+            "true 1 1");
+  EXPECT_EQ(labels, "trials trials trials ");
 }
 
 TEST_F(StudyScript, Statistics) {

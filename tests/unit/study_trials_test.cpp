@@ -4,6 +4,7 @@
 
 #include <dirent.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -100,14 +101,73 @@ TEST_F(Trials, EveryTrialMayCrash) {
   for (const TrialResult& result : results) EXPECT_FALSE(result.ok);
 }
 
-TEST_F(Trials, InThisProcessExceptionsAreResultsToo) {
-  const auto results = run(3, 1, [](std::size_t i) -> std::string {
-    if (i == 1) throw std::runtime_error("no route");
-    return std::to_string(getpid());
+TEST_F(Trials, NothingCarriesOverFromTrialToTrial) {
+  for (const int jobs : {1, 2, 5}) {
+    int state = 0;
+    const auto results = run(12, jobs, [&](std::size_t i) -> std::string {
+      state += static_cast<int>(i) + 1;
+      if (i == 4) throw std::runtime_error("no route");
+      return std::to_string(state);
+    });
+    EXPECT_EQ(state, 0);
+    for (std::size_t i = 0; i < results.size(); ++i)
+      EXPECT_EQ(results[i].text, i == 4 ? "no route" : std::to_string(i + 1)) << jobs;
+  }
+}
+
+TEST_F(Trials, NothingLeavesTheChildWhateverIsThrown) {
+  const pid_t parent = getpid();
+  for (const int jobs : {1, 2}) {
+    std::vector<TrialResult> results;
+    try {
+      results = run(3, jobs, [](std::size_t i) -> std::string {
+        if (i == 1) throw 42;
+        return {};
+      });
+    } catch (int) {
+    }
+    if (getpid() != parent) _exit(9);
+    ASSERT_EQ(results.size(), 3u);
+    EXPECT_EQ(results[1].text, "the worker process ended with exit code 70");
+    EXPECT_TRUE(results[2].ok);
+  }
+}
+
+/// No more than `more` further descriptors while it lives: what a machine does that is short of them, or of processes.
+class FewDescriptors {
+ public:
+  explicit FewDescriptors(int more) {
+    const int next = dup(0);
+    close(next);
+    getrlimit(RLIMIT_NOFILE, &before_);
+    rlimit few = before_;
+    few.rlim_cur = static_cast<rlim_t>(next + more);
+    setrlimit(RLIMIT_NOFILE, &few);
+  }
+  ~FewDescriptors() { setrlimit(RLIMIT_NOFILE, &before_); }
+
+ private:
+  rlimit before_;
+};
+
+TEST_F(Trials, AShortageLowersTheNumberOfJobs) {
+  const FewDescriptors few(4);
+  const auto results = run(20, 8, [](std::size_t i) {
+    work_a_little(5);
+    return std::to_string(i);
   });
-  EXPECT_EQ(results[0].text, std::to_string(getpid()));
-  EXPECT_FALSE(results[1].ok);
-  EXPECT_EQ(results[2].text, std::to_string(getpid()));
+  ASSERT_EQ(results.size(), 20u);
+  for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(results[i].text, std::to_string(i));
+}
+
+TEST_F(Trials, WithoutAnyProcessTheReasonIsNamed) {
+  const FewDescriptors few(1);
+  try {
+    run(3, 2, [](std::size_t) { return std::string(); });
+    FAIL() << "an error expected";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "cannot start a worker process: Too many open files");
+  }
 }
 
 TEST_F(Trials, AStopKillsHangingWorkersQuickly) {
