@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: the meander authors
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sim_worlds.hpp"
 
 namespace meander {
@@ -27,9 +29,27 @@ TEST(Step, AllocatesNothingOnceItRuns) {
     const Command command = wanderer.next();
     const std::size_t before = allocations();
     sim.step(command);
-    if (sim.state().clearance < 2e-3) continue;  // then the bumpers look at what they touch
     ASSERT_EQ(allocations() - before, 0u) << "step " << i;
   }
+}
+
+TEST(Step, AllocatesNothingInContact) {
+  auto world = room(4, 4);
+  world->add(Obstacle{.name = "", .shape = Disc{{3.8, 2}, 0.3}, .surface = {}});
+  RobotOptions robot = nomad(Pose2{2, 2, 0});
+  robot.platform.body.v_min = -0.5;
+  Sim sim(world, {robot}, {.seed = 7});
+  int pressed = 0;
+  for (int i = 0; i < 150; ++i) {
+    const Command to_and_fro{i % 40 < 25 ? 0.5 : -0.5, 0, 0};
+    const std::size_t before = allocations();
+    const auto& bumpers = sim.step(to_and_fro).readings.bumper;
+    if (i < 40) continue;  // scans have to get to know the room
+    ASSERT_EQ(allocations() - before, 0u) << "step " << i;
+    pressed += std::count(bumpers.begin(), bumpers.end(), 1) > 0;
+  }
+  EXPECT_GT(pressed, 20);
+  EXPECT_LT(pressed, 90) << "comes and goes";
 }
 
 }  // namespace
