@@ -166,9 +166,10 @@ Complaint bad(const Polygon& polygon) {
 
 Complaint bad(const Rectangle& r) {
   if (auto complaint = bad_position("center", r.center)) return complaint;
-  if (auto complaint = bad_length("width", r.size.x())) return complaint;
-  if (auto complaint = bad_length("height", r.size.y())) return complaint;
-  if (!usable(r.heading)) return fmt::format("heading: a finite angle [rad] expected, got {}", r.heading);
+  if (auto complaint = bad_length("size: width", r.size.x())) return complaint;
+  if (auto complaint = bad_length("size: height", r.size.y())) return complaint;
+  if (!usable(r.heading))
+    return fmt::format("heading: an angle within +-{:g} rad expected, got {}", kFarthest, r.heading);
   return {};
 }
 

@@ -22,6 +22,7 @@ constexpr std::array kCommands = {
     CommandHelp{".load", "FILE", "run a script here; its globals stay"},
     CommandHelp{".save", "FILE", "write what was typed and worked as a script"},
     CommandHelp{".timer", "on|off", "tell how long each input took"},
+    CommandHelp{"?", "NAME", "what a name means: help \"NAME\""},
     CommandHelp{".quit", "", "leave, as Ctrl-D does"},
 };
 
@@ -42,11 +43,13 @@ std::string_view trimmed(std::string_view text) {
 
 bool is_command(std::string_view line) {
   line = trimmed(line);
+  if (line.starts_with('?')) return true;
   return line.size() > 1 && line[0] == '.' && std::isalpha(static_cast<unsigned char>(line[1]));
 }
 
 Command split_command(std::string_view line) {
   line = trimmed(line);
+  if (line.starts_with('?')) return {"?", std::string(trimmed(line.substr(1)))};
   const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
   return {std::string(line.substr(0, end)), std::string(trimmed(line.substr(end)))};
 }

@@ -174,6 +174,7 @@ LineEnd LineEditor::read_terminal(const std::string& prompt, std::string& line) 
   const NotedSignals signals;
   finished = false;
   entered.reset();
+  rl_eof_found = 0;  // readline's callbacks never take back an earlier Ctrl-D, and write an empty line for it
   rl_callback_handler_install(prompt.c_str(), on_line);
   while (!finished) {
     if (signals.wait_for_key()) rl_callback_read_char();

@@ -40,6 +40,7 @@ class Prompt {
   void remember(const std::string& text);
   void evaluate(const std::string& text);
   bool obey(const std::string& line);
+  void explain(const std::string& name);
   void load(const std::string& path);
   void save(const std::string& path);
   void set_timer(const std::string& argument);
@@ -136,6 +137,8 @@ bool Prompt::obey(const std::string& line) {
   if (command.name == ".quit" || command.name == ".exit") return false;
   if (command.name == ".help")
     fmt::print("{}", command_help());
+  else if (command.name == "?")
+    explain(command.argument);
   else if (command.name == ".load")
     load(command.argument);
   else if (command.name == ".save")
@@ -146,6 +149,11 @@ bool Prompt::obey(const std::string& line) {
     say(fmt::format("unknown command '{}'{} (.help lists them)", command.name,
                     did_you_mean(command.name, command_names())));
   return true;
+}
+
+void Prompt::explain(const std::string& name) {
+  const std::string code = fmt::format("help({})", name.empty() ? "" : quoted(name));
+  report(lua_.evaluate(code), code);
 }
 
 void Prompt::load(const std::string& path) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
+#include <deque>
+#include <set>
+
 #include "script/bind.hpp"
 #include "script/control_options.hpp"
 #include "script/example_text.hpp"
@@ -8,7 +11,7 @@
 namespace meander::script {
 
 struct DriveTable : PilotTable {
-  std::vector<PilotTable> pilots;
+  std::optional<std::vector<PilotTable>> pilots;
   std::optional<Function> on_step;
   DriveOptions options;
 };
@@ -34,16 +37,42 @@ OnStep watcher(const std::shared_ptr<Sim>& sim, const std::optional<Function>& o
   };
 }
 
-std::vector<RunRecord> drive_all(const std::shared_ptr<Sim>& sim, const DriveTable& table, const Call& call) {
-  std::vector<Pilot> pilots;
-  const auto add = [&](const PilotTable& pilot) {
-    if (pilots.size() == sim->robot_count())
-      fail("option 'pilots': {} at most, one per robot, got {}", sim->robot_count(), table.pilots.size());
-    pilots.push_back(pilot_of(pilot, sim->world(), sim->robot(pilots.size()).platform));
+/// The tables of all pilots: one of them or a list, not both.
+std::vector<PilotTable> pilot_tables(const DriveTable& table, std::size_t robots) {
+  if (!table.pilots) return {table};
+  const char* also = table.navigator           ? "navigator"
+                     : table.guide             ? "guide"
+                     : !table.subgoals.empty() ? "subgoals"
+                                               : nullptr;
+  if (also) fail("options 'pilots' and '{}': one of them expected, got both", also);
+  if (table.pilots->empty()) fail("option 'pilots': one table per robot expected, got {{}}");
+  if (table.pilots->size() > robots)
+    fail("option 'pilots': {} at most, one per robot, got {}", robots, table.pilots->size());
+  return *table.pilots;
+}
+
+/// Keeps navigators and guides from being driven by somebody else meanwhile.
+void mark_in_use(std::deque<InUse>& in_use, const std::vector<PilotTable>& tables, lua_State* L) {
+  std::set<const void*> known;
+  const auto mark = [&](const auto& option, const char* name) {
+    if (!option || !option->object) return;
+    if (!known.insert(option->object).second) fail("option 'pilots': each needs a {} of its own", name);
+    in_use.emplace_back(L, option->object, name);
   };
-  if (table.pilots.empty()) add(table);
-  for (const PilotTable& pilot : table.pilots) add(pilot);
-  const InUse in_use(call.L, sim.get(), "sim");
+  for (const PilotTable& table : tables) {
+    mark(table.navigator, "navigator");
+    mark(table.guide, "guide");
+  }
+}
+
+std::vector<RunRecord> drive_all(const std::shared_ptr<Sim>& sim, const DriveTable& table, const Call& call) {
+  const std::vector<PilotTable> tables = pilot_tables(table, sim->robot_count());
+  std::vector<Pilot> pilots;
+  for (const PilotTable& pilot : tables)
+    pilots.push_back(pilot_of(pilot, sim->world(), sim->robot(pilots.size()).platform));
+  std::deque<InUse> in_use;
+  in_use.emplace_back(call.L, sim.get(), "sim");
+  mark_in_use(in_use, tables, call.L);
   std::vector<Run> runs = drive(*sim, pilots, table.options, call.work(), watcher(sim, table.on_step));
   const auto world = std::make_shared<const World>(sim->world());
   std::vector<RunRecord> records;
@@ -53,10 +82,10 @@ std::vector<RunRecord> drive_all(const std::shared_ptr<Sim>& sim, const DriveTab
 
 Pushed drive_from_lua(const std::shared_ptr<Sim>& sim, const DriveTable& table, const Call& call) {
   std::vector<RunRecord> records = drive_all(sim, table, call);
-  if (table.pilots.empty())
-    push(call.L, records.front());
-  else
+  if (table.pilots)
     push(call.L, records);
+  else
+    push(call.L, records.front());
   return {1};
 }
 

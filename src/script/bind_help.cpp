@@ -51,25 +51,27 @@ void help(const Any& value, const Call& call) {
 }
 
 void apropos(const std::string& word, const Call& call) {
-  const Docs& docs = session(call.L).docs;
-  const std::vector<const Record*> found = docs.about(word);
-  call.write(found.empty() ? "nothing is known about '" + word + "'\n" : list_text(found));
+  const std::string found = apropos_text(session(call.L).docs, word);
+  call.write(found.empty() ? "nothing is known about '" + word + "'\n" : found);
 }
 
 }  // namespace
 
 void bind_help(lua_State* L) {
   Module(L, "", "")
-      .function<&deg>(Doc{.name = "deg",
-                          .text = "An angle given in degrees, in radians: heading = deg(30).",
-                          .args = {{"angle", "in degrees"}},
-                          .returns = "the angle in radians",
-                          .example = "print(deg(180))"})
-      .function<&rad>(Doc{.name = "rad",
-                          .text = "An angle given in radians, in degrees: the reverse of deg, for printing.",
-                          .args = {{"angle", "in radians", "rad"}},
-                          .returns = "the angle in degrees",
-                          .example = "print(rad(math.pi))"})
+      .function<&deg>(
+          Doc{.name = "deg",
+              .text = "An angle given in degrees, in radians: heading = deg(30); math.deg goes the other way.",
+              .args = {{"angle", "in degrees"}},
+              .returns = "the angle in radians",
+              .example = "print(deg(180))"})
+      .function<&rad>(Doc{
+          .name = "rad",
+          .text =
+              "An angle given in radians, in degrees: the reverse of deg, for printing; math.rad goes the other way.",
+          .args = {{"angle", "in radians", "rad"}},
+          .returns = "the angle in degrees",
+          .example = "print(rad(math.pi))"})
       .function<&show>(Doc{.name = "show",
                            .text = "Draws an object in the terminal: a world, a sim, a run, a sonar reading.",
                            .args = {{"object", "what to draw"}},
@@ -82,7 +84,7 @@ void bind_help(lua_State* L) {
               .errors = "nothing is known about it",
               .example = "help 'sim:drive'"})
       .function<&apropos>(Doc{.name = "apropos",
-                              .text = "Lists everything whose name or description contains a word.",
+                              .text = "Lists everything whose name, description or options contain a word.",
                               .args = {{"word", "what to look for"}},
                               .example = "apropos 'sonar'"});
 }

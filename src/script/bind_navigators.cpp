@@ -51,12 +51,19 @@ std::shared_ptr<Guide> list(const SubgoalListTable& table) {
 }
 
 std::tuple<double, double, NavigatorStatus, std::string> step(Navigator& navigator, const Observation& observation,
-                                                              const SubgoalOption& subgoal) {
+                                                              const SubgoalOption& subgoal, const Call& call) {
+  const InUse in_use(call.L, &navigator, "navigator");
   const NavigatorStep step = navigator.step(observation, subgoal.in(nullptr));
   return {step.command.v, step.command.w, step.status, step.reason};
 }
-void reset_navigator(Navigator& navigator) { navigator.reset(); }
-void reset_guide(Guide& guide) { guide.reset(); }
+void reset_navigator(Navigator& navigator, const Call& call) {
+  const InUse in_use(call.L, &navigator, "navigator");
+  navigator.reset();
+}
+void reset_guide(Guide& guide, const Call& call) {
+  const InUse in_use(call.L, &guide, "guide");
+  guide.reset();
+}
 std::string navigator_text(const Navigator& navigator) { return "navigator \"" + navigator.name + "\""; }
 std::string guide_text(const Guide& guide) { return "guide \"" + guide.name + "\""; }
 

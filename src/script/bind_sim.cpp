@@ -13,7 +13,7 @@ namespace meander::script {
 /// Everything sim.new takes: the world, one robot or several, and the clock.
 struct SimTable : RobotTable {
   Required<std::shared_ptr<World>> world;
-  std::vector<RobotTable> robots;
+  std::optional<std::vector<RobotTable>> robots;
   SimOptions options;
 };
 template <class Options, class Visitor>
@@ -32,8 +32,9 @@ using SimPtr = std::shared_ptr<Sim>;
 SimPtr make(const SimTable& table) {
   const World& world = *table.world.value;
   std::vector<RobotOptions> robots;
-  for (const RobotTable& robot : table.robots) robots.push_back(robot_options(robot, world));
-  if (robots.empty()) robots.push_back(robot_options(table, world));
+  if (table.robots && table.robots->empty()) fail("option 'robots': at least one table of options expected, got {{}}");
+  for (const RobotTable& robot : table.robots.value_or(std::vector<RobotTable>{table}))
+    robots.push_back(robot_options(robot, world));
   return std::make_shared<Sim>(table.world.value, std::move(robots), table.options);
 }
 

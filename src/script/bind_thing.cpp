@@ -25,8 +25,11 @@ bool equal(const Thing& a, const Thing& b) { return a.world == b.world && a.id =
 }  // namespace
 
 void bind_thing(lua_State* L) {
-  Type<Thing>(L,
-              "A thing in a world. Its handle stays the same when it is moved, renamed, or removed and brought back.")
+  Type<Thing>(
+      L,
+      "A thing in a world. Its handle stays the same when it is moved, renamed, or removed and brought back. In "
+      "another world, such as a fork, it means the thing of the same number and name; if there is none, that is "
+      "an error.")
       .property<&name>(PropertyDoc{.name = "name",
                                    .text = "Its name.",
                                    .example = "print(meander.world.open('worlds/office.toml'):thing('hall').name)"})

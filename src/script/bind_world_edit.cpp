@@ -101,7 +101,8 @@ void bind_adding(Type<World>& type) {
               .example = "meander.world.new {}:add_place { position = {3, 2}, name = 'hall' }"});
 }
 
-constexpr Arg kThings{"things", "a thing, its name, a pattern such as 'crate*', or a list of these"};
+constexpr Arg kThings{"things",
+                      "a thing, its name, a pattern such as 'crate*' (an exact name wins), or a list of these"};
 
 void bind_changing(Type<World>& type) {
   type.method<&remove>(

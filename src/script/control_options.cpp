@@ -49,6 +49,7 @@ GuideStep next_in_lua(const Function& function, const Observation& observation, 
   else
     step.subgoal = Lua<SubgoalOption>::read(L, -3, path).in(nullptr);
   step.reason = Lua<std::optional<std::string>>::read(L, -2, path).value_or("");
+  if (!step.subgoal && step.reason.empty()) step.reason = "the guide finished without a reason";
   step.reached = Lua<std::optional<int>>::read(L, -1, path).value_or(0);
   lua_pop(L, 3);
   return step;
@@ -88,10 +89,12 @@ NavigatorOption Lua<NavigatorOption>::read(lua_State* L, int index, const Path& 
     if (std::find(known.begin(), known.end(), name) == known.end()) unknown_value(path, name, known);
     return {[name](const Platform& platform) { return navigator_by_name(name, platform); }};
   }
-  Navigator navigator;
   if (test_box(L, index, tag_of<Navigator>)) {
-    navigator = shared(read_object<Navigator>(L, index, path));
-  } else if (lua_isfunction(L, index)) {
+    const auto object = read_object<Navigator>(L, index, path);
+    return {[navigator = shared(object)](const Platform&) { return navigator; }, object.get()};
+  }
+  Navigator navigator;
+  if (lua_isfunction(L, index)) {
     navigator = lua_navigator(Function(L, index, path), {}, "lua");
   } else if (lua_istable(L, index)) {
     const int table = lua_absindex(L, index);
@@ -111,8 +114,8 @@ GuideOption Lua<GuideOption>::read(lua_State* L, int index, const Path& path) {
   Guide guide;
   std::optional<Function> next, reset;
   if (test_box(L, index, tag_of<Guide>)) {
-    guide = shared(read_object<Guide>(L, index, path));
-    return {[guide](const World&) { return guide; }};
+    const auto object = read_object<Guide>(L, index, path);
+    return {[guide = shared(object)](const World&) { return guide; }, object.get()};
   }
   if (lua_isfunction(L, index)) {
     next = Function(L, index, path);

@@ -13,6 +13,7 @@ namespace meander::script {
 /// Who drives: a name, a navigator, a Lua function, or a table of functions {step =, reset =, name =}.
 struct NavigatorOption {
   std::function<Navigator(const Platform&)> make;
+  const void* object = nullptr;  ///< the navigator object given, if it was one: it serves one run at a time
 };
 template <>
 struct Lua<NavigatorOption> {
@@ -27,6 +28,7 @@ struct Describe<NavigatorOption> {
 /// Who says where to: a guide, a Lua function, or a table of functions {next =, reset =, name =, subgoals =}.
 struct GuideOption {
   std::function<Guide(const World&)> make;
+  const void* object = nullptr;  ///< the guide object given, if it was one: it serves one run at a time
 };
 template <>
 struct Lua<GuideOption> {

@@ -3,16 +3,9 @@
 #include "script/docs.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 namespace meander::script {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 /// Methods may be asked for with a dot.
 std::string dotted(std::string_view name) {
@@ -57,14 +50,6 @@ std::vector<const Record*> Docs::members(std::string_view owner) const {
   std::vector<const Record*> result;
   for (const Record& record : records_)
     if (record.owner == owner && !record.member.empty()) result.push_back(&record);
-  return result;
-}
-
-std::vector<const Record*> Docs::about(std::string_view word) const {
-  const std::string wanted = lower(word);
-  std::vector<const Record*> result;
-  for (const Record& record : records_)
-    if (lower(record.name() + " " + record.text).find(wanted) != std::string::npos) result.push_back(&record);
   return result;
 }
 

@@ -64,8 +64,6 @@ class Docs {
   const Record* find(std::string_view name) const;
   /// What a module or a type offers, in the order of registration.
   std::vector<const Record*> members(std::string_view owner) const;
-  /// Records whose name or text contains the word, whatever its case.
-  std::vector<const Record*> about(std::string_view word) const;
 
  private:
   std::deque<Record> records_;

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <set>
 
 namespace meander::script {
 namespace {
@@ -21,35 +23,92 @@ std::string type_text(const std::string& type, const std::string& unit, const st
   return (plain ? type : quoted_list(values) + ", or table of options") + (unit.empty() ? "" : " [" + unit + "]");
 }
 
-void append_options(std::string& text, const std::vector<OptionDoc>& options, const std::string& indent) {
+/// Tells two tables of options apart: by their name and those of their keys.
+std::string shape_of(const OptionDoc& option) {
+  std::string shape = option.name;
+  for (const OptionDoc& inner : option.options) shape += " " + inner.name;
+  return shape;
+}
+
+/// Nested tables that were told already (`shown`) are not told again.
+void append_options(std::string& text, const std::vector<OptionDoc>& options, const std::string& indent,
+                    std::set<std::string>& shown) {
   std::size_t width = 0;
   for (const OptionDoc& option : options) width = std::max(width, option.name.size());
   for (const OptionDoc& option : options) {
     const std::string note = option.required           ? ", must be given"
                              : option.standard.empty() ? ""
                                                        : ", " + option.standard + " when left out";
-    text += fmt::format("{}{:<{}}  {}: {}{}\n", indent, option.name, width,
-                        type_text(option.type, option.unit, option.values), option.text, note);
-    append_options(text, option.options, indent + "  ");
+    const bool again = !option.options.empty() && !shown.insert(shape_of(option)).second;
+    text += fmt::format("{}{:<{}}  {}: {}{}{}\n", indent, option.name, width,
+                        type_text(option.type, option.unit, option.values), option.text, note,
+                        again ? "; its keys as above" : "");
+    if (!again) append_options(text, option.options, indent + "  ", shown);
   }
 }
 
 void append_arguments(std::string& text, const std::vector<ArgumentDoc>& arguments) {
+  std::set<std::string> shown;
   for (const ArgumentDoc& argument : arguments) {
     text += fmt::format("  {}{}  {}: {}\n", argument.name, argument.optional ? "?" : "",
                         type_text(argument.type, argument.unit, argument.values), argument.text);
-    append_options(text, argument.options, "    ");
+    append_options(text, argument.options, "    ", shown);
   }
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// One line per option about the (lower-case) word, each name and text once.
+void append_options_about(std::string& text, const std::vector<OptionDoc>& options, const std::string& prefix,
+                          const std::string& word, std::set<std::string>& told) {
+  for (const OptionDoc& option : options) {
+    const std::string name = prefix + option.name;
+    if (lower(option.name + "\n" + option.text).find(word) != std::string::npos &&
+        told.insert(option.name + "\n" + option.text).second)
+      text += fmt::format("      {}  {}\n", name, option.text);
+    append_options_about(text, option.options, name + ".", word, told);
+  }
+}
+
+std::size_t signature_width(const std::vector<const Record*>& records) {
+  constexpr std::size_t kWidest = 36;
+  std::size_t width = 0;
+  for (const Record* record : records) width = std::max(width, std::min(kWidest, record->signature().size()));
+  return width;
+}
+
+std::string record_line(const Record& record, std::size_t width) {
+  return fmt::format("  {:<{}}  {}\n", record.signature(), width, record.text);
 }
 
 }  // namespace
 
 std::string list_text(const std::vector<const Record*>& records) {
-  constexpr std::size_t kWidest = 36;
-  std::size_t width = 0;
-  for (const Record* record : records) width = std::max(width, std::min(kWidest, record->signature().size()));
+  const std::size_t width = signature_width(records);
   std::string text;
-  for (const Record* record : records) text += fmt::format("  {:<{}}  {}\n", record->signature(), width, record->text);
+  for (const Record* record : records) text += record_line(*record, width);
+  return text;
+}
+
+std::string apropos_text(const Docs& docs, std::string_view word) {
+  const std::string wanted = lower(word);
+  std::vector<const Record*> found;
+  std::vector<std::string> options;  // the lines below each of them
+  for (const Record& record : docs.all()) {
+    std::string lines;
+    std::set<std::string> told;
+    for (const ArgumentDoc& argument : record.arguments)
+      append_options_about(lines, argument.options, "", wanted, told);
+    if (lines.empty() && lower(record.name() + " " + record.text).find(wanted) == std::string::npos) continue;
+    found.push_back(&record);
+    options.push_back(std::move(lines));
+  }
+  std::string text;
+  for (std::size_t i = 0; i < found.size(); ++i) text += record_line(*found[i], signature_width(found)) + options[i];
   return text;
 }
 

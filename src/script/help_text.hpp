@@ -15,6 +15,8 @@ std::string help_text(const Docs& docs, const Record& record);
 std::string overview_text(const Docs& docs);
 /// A line for each record: its signature and its text.
 std::string list_text(const std::vector<const Record*>& records);
+/// Everything whose name, text or options contain the word, whatever its case; empty where there is nothing.
+std::string apropos_text(const Docs& docs, std::string_view word);
 
 /// By full name, or by the name without "meander." in front.
 const Record* find_record(const Docs& docs, std::string_view name);

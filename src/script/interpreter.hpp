@@ -22,8 +22,12 @@ struct Outcome : ErrorReport {
   bool done() const { return kind == Kind::done; }
 };
 
-/// A Lua state with the standard libraries, strict globals, `meander`, and an interrupt that always works. Scripts are
-/// texts: bytecode is refused. math.random starts from the same seed in every run.
+/// A Lua state with the standard libraries, strict globals, `meander`, and an interrupt. Scripts are texts: bytecode is
+/// refused. math.random starts from the same seed in every run.
+///
+/// The first Ctrl-C ends what runs, with three exceptions where Lua runs no hooks: a message handler or a finalizer
+/// that loops, and one long call into Lua's C library (a pattern, string.rep). The second one leaves the program at
+/// once.
 class Interpreter {
  public:
   /// `lua_dir` (may be empty) holds Lua modules to use instead of those inside the program.

@@ -87,13 +87,18 @@ Things Lua<Things>::read(lua_State* L, int index, const Path& path) {
 }
 
 Id resolve(const World& world, const ThingRef& ref) {
-  return ref.thing && ref.thing->world.get() == &world ? ref.thing->id : world.find(ref.name);
+  if (!ref.thing) return world.find(ref.name);
+  const Id id = ref.thing->id;
+  if (ref.thing->world.get() == &world) return id;
+  if (!world.alive(id) || name_of(world.item(id)) != ref.name)
+    fail("the thing '{}' is of another world, and here no thing has its number and name", ref.name);
+  return id;
 }
 
 std::vector<Id> resolve(const World& world, const Things& things) {
   std::vector<Id> ids;
   for (const ThingRef& ref : things.list) {
-    if (ref.thing || !is_pattern(ref.name)) {
+    if (ref.thing || !is_pattern(ref.name) || world.has(ref.name)) {
       ids.push_back(resolve(world, ref));
       continue;
     }

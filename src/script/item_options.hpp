@@ -215,7 +215,7 @@ struct Lua<ThingRef> {
   static ThingRef read(lua_State* L, int index, const Path& path);
   static std::string type() { return "thing or name"; }
 };
-/// One or several of them; names may be patterns with * and ?.
+/// One or several of them; names may be patterns with * and ?, where no thing is called so.
 struct Things {
   std::vector<ThingRef> list;
 };
@@ -225,7 +225,8 @@ struct Lua<Things> {
   static std::string type() { return "thing, name, pattern or list of these"; }
 };
 
-/// The living thing that is meant; a handle of another world means the thing of that name here.
+/// The living thing that is meant; a handle of another world means the thing that has its id
+/// and its name here, as in forks.
 Id resolve(const World& world, const ThingRef& ref);
 std::vector<Id> resolve(const World& world, const Things& things);
 

@@ -126,8 +126,9 @@ struct Lua<Preset<T>> {
 };
 
 /// The documentation of an option struct, from the same listing.
+/// Defaults are those of `options`: a struct may give its members others than their type has.
 template <Listed Options>
-std::vector<OptionDoc> describe_options();
+std::vector<OptionDoc> describe_options(const Options& options = {});
 
 template <class T>
 struct Describe {
@@ -170,10 +171,9 @@ std::string standard_text(const T& value) {
 }
 
 template <Listed Options>
-std::vector<OptionDoc> describe_options() {
+std::vector<OptionDoc> describe_options(const Options& options) {
   std::vector<OptionDoc> docs;
-  Options options{};
-  fields(options, [&](const Field& field, auto& member) {
+  fields(options, [&](const Field& field, const auto& member) {
     using Member = std::remove_cvref_t<decltype(member)>;
     OptionDoc doc{.name = field.name,
                   .type = Lua<typename OptionTraits<Member>::Value>::type(),
@@ -181,7 +181,10 @@ std::vector<OptionDoc> describe_options() {
                   .text = field.doc,
                   .standard = standard_text(member),
                   .required = OptionTraits<Member>::required};
-    Describe<Member>::into(doc);
+    if constexpr (Listed<Member>)
+      doc.options = describe_options(member);
+    else
+      Describe<Member>::into(doc);
     docs.push_back(std::move(doc));
   });
   return docs;

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <string_view>
 
 namespace meander::script {
 namespace {
@@ -31,7 +32,8 @@ bool stopping() {
 void raise_interrupt(lua_State* L, lua_Debug* activation) {
   if (!stopping()) return lua_sethook(L, nullptr, 0, 0);
   lua_getinfo(L, "Sl", activation);
-  luaL_error(L, "%s:%d: interrupted", activation->short_src, activation->currentline);
+  lua_pushfstring(L, "%s:%d: interrupted", activation->short_src, activation->currentline);
+  lua_error(L);
 }
 
 /// Counting single instructions is the only mask that is safe here: call and return hooks would also fire inside the
@@ -42,6 +44,9 @@ void hook(lua_State* L) {
 
 [[noreturn]] void leave_at_once() {
   if (terminal_known) tcsetattr(STDIN_FILENO, TCSANOW, &terminal_at_start);
+  constexpr std::string_view kText = "\ninterrupted twice: left at once\n";  // behind the "^C" of a terminal
+  const std::string_view text = kText.substr(terminal_known ? 0 : 1);
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
   _exit(128 + SIGINT);
 }
 

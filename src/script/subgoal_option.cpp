@@ -1,24 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #include "script/control_options.hpp"
+#include "world/validity.hpp"
 
 namespace meander::script {
 namespace {
 
-struct SubgoalTable {
-  Required<double> x, y;
+/// What a subgoal is besides a point.
+struct SubgoalMore {
   double tolerance = Subgoal{}.tolerance;
   std::optional<double> heading;
   std::string name;
+};
+template <class Options, class Visitor>
+void more_fields(Options& o, Visitor&& visit) {
+  visit(Field{"tolerance", "m", "arrived when this near", 0, 1e6}, o.tolerance);
+  visit(Field{"heading", "rad", "wanted on arrival"}, o.heading);
+  visit(Field{"name", "", "for people"}, o.name);
+}
+template <class Options, class Visitor>
+requires std::same_as<std::remove_const_t<Options>, SubgoalMore>
+void fields(Options& o, Visitor&& visit) { more_fields(o, visit); }
+
+struct SubgoalTable : SubgoalMore {
+  Required<double> x, y;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, SubgoalTable>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"x", "m", "where it is"}, o.x);
   visit(Field{"y", "m", "where it is"}, o.y);
-  visit(Field{"tolerance", "m", "arrived when this near", 0, 1e6}, o.tolerance);
-  visit(Field{"heading", "rad", "wanted on arrival"}, o.heading);
-  visit(Field{"name", "", "for people"}, o.name);
+  more_fields(o, visit);
+}
+
+SubgoalOption subgoal_at(const Vec2& position, const SubgoalMore& more, const Path& path) {
+  if (more.heading && !(std::abs(*more.heading) <= kLargestHeading))
+    fail("option '{}heading': a number from {} to {} [rad] expected, got {}", option_prefix(path), -kLargestHeading,
+         kLargestHeading, *more.heading);
+  return {{position, more.tolerance, more.heading, more.name}, {}};
+}
+
+/// Pushes a copy of a table without its list part.
+void push_without_list(lua_State* L, int table) {
+  luaL_checkstack(L, 5, nullptr);
+  lua_newtable(L);
+  lua_pushnil(L);
+  for (; lua_next(L, table); lua_pop(L, 1)) {
+    if (lua_isinteger(L, -2)) continue;
+    lua_pushvalue(L, -2);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, -5);
+  }
 }
 
 }  // namespace
@@ -37,24 +69,16 @@ SubgoalOption Lua<SubgoalOption>::read(lua_State* L, int index, const Path& path
     return {{}, Lua<ThingRef>::read(L, index, path)};
   if (!lua_istable(L, index)) expected(L, index, path, type());
   const int table = lua_absindex(L, index);
-  SubgoalOption option;
   if (lua_rawlen(L, table) > 0) {
     // A point, perhaps with more keys, as guides get and return it.
-    option.subgoal.position = Lua<Vec2>::read(L, table, path);
-    const auto number = [&](const char* name) {
-      push_option(L, table, name);
-      const auto value =
-          Lua<std::optional<double>>::read(L, -1, Path{.kind = Path::Kind::option, .name = name, .parent = &path});
-      lua_pop(L, 1);
-      return value;
-    };
-    option.subgoal.tolerance = number("tolerance").value_or(option.subgoal.tolerance);
-    option.subgoal.heading = number("heading");
-    return option;
+    const Vec2 position = Lua<Vec2>::read(L, table, path);
+    push_without_list(L, table);
+    const auto more = Lua<SubgoalMore>::read(L, -1, path);
+    lua_pop(L, 1);
+    return subgoal_at(position, more, path);
   }
   const auto read = Lua<SubgoalTable>::read(L, table, path);
-  option.subgoal = {Vec2(read.x.value, read.y.value), read.tolerance, read.heading, read.name};
-  return option;
+  return subgoal_at({read.x.value, read.y.value}, read, path);
 }
 
 void Lua<Subgoal>::push(lua_State* L, const Subgoal& subgoal) {

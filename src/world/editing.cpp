@@ -102,7 +102,8 @@ void move(World& world, const std::vector<Id>& ids, const Vec2& by) {
 }
 
 void turn(World& world, const std::vector<Id>& ids, double by, std::optional<Vec2> about) {
-  if (!(std::abs(by) <= kLargestHeading)) fail("turn: finite angle expected, got {}", by);
+  if (!(std::abs(by) <= kLargestHeading))
+    fail("turn: an angle within +-{:g} rad expected, got {}", kLargestHeading, by);
   const Vec2 pivot = about.value_or(center_of(world, ids));
   const Pose2 rotation{0, 0, by};
   change_all(world, ids,

@@ -91,11 +91,11 @@ TEST(Validity, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(complaint(Chain{{{0, 0}}, false}), "at least 2 points expected, got 1");
   EXPECT_EQ(complaint(Chain{{}, false}), "at least 2 points expected, got 0");
   EXPECT_EQ(complaint(Chain{{{0, 0}, {1, 0}}, true}), "at least 3 points expected, got 2");
-  EXPECT_EQ(complaint(Rectangle{{0, 0}, {1, 0}, 0}), "height: a number from 1e-06 to 1e+06 m expected, got 0");
-  EXPECT_EQ(complaint(Rectangle{{0, 0}, {-1, 1}, 0}), "width: a number from 1e-06 to 1e+06 m expected, got -1");
+  EXPECT_EQ(complaint(Rectangle{{0, 0}, {1, 0}, 0}), "size: height: a number from 1e-06 to 1e+06 m expected, got 0");
+  EXPECT_EQ(complaint(Rectangle{{0, 0}, {-1, 1}, 0}), "size: width: a number from 1e-06 to 1e+06 m expected, got -1");
   EXPECT_EQ(complaint(Rectangle{{0, 2e6}, {1, 1}, 0}),
             "center: two finite numbers within +-1e+06 m expected, got (0, 2000000)");
-  EXPECT_EQ(complaint(Rectangle{{0, 0}, {1, 1}, kNan}), "heading: a finite angle [rad] expected, got nan");
+  EXPECT_EQ(complaint(Rectangle{{0, 0}, {1, 1}, kNan}), "heading: an angle within +-1e+06 rad expected, got nan");
   EXPECT_EQ(complaint(Disc{{0, 0}, std::numeric_limits<double>::infinity()}),
             "radius: a number from 1e-06 to 1e+06 m expected, got inf");
   EXPECT_EQ(complaint(Disc{{0, 0}, 0.1}), "valid");

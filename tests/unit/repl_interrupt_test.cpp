@@ -98,6 +98,7 @@ TEST(SecondInterrupt, EndsTheProgramAndRestoresTheTerminal) {
   t.send("deaf()\r");
   t.wait_for("begun\r\n");
   EXPECT_EQ(t.interrupt_until_exit(), 130);
+  EXPECT_TRUE(t.transcript().ends_with("\r\ninterrupted twice: left at once\r\n")) << t.transcript();
   EXPECT_TRUE(t.is_cooked());
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -75,6 +76,34 @@ TEST(Prompt, ExplainsMistakes) {
   EXPECT_EQ(t.enter("g {}"), "attempt to index a nil value (field 'b')\r\n  in function 'f'\r\n  in function 'g'\r\n");
   EXPECT_EQ(t.enter(".hlep"), "unknown command '.hlep'; did you mean '.help'? (.help lists them)\r\n");
   EXPECT_EQ(t.enter("function count() total = 1 end count() return total"), "1\r\n");
+}
+
+TEST(Prompt, ExplainsNames) {
+  Session session;
+  Terminal& t = session.terminal;
+  const std::string text = t.enter("?deg");
+  EXPECT_TRUE(text.starts_with("deg(angle)\r\n")) << text;
+  EXPECT_EQ(t.enter(" ? deg "), text);
+  EXPECT_EQ(t.enter("help 'deg'"), text);
+  EXPECT_TRUE(t.enter("?").starts_with("functions\r\n"));
+  EXPECT_EQ(t.enter("?sim:drvie"), "help: nothing is known about 'sim:drvie'; did you mean 'sim:drive'?\r\n");
+  EXPECT_NE(t.enter(".help").find("?      NAME"), std::string::npos);
+}
+
+TEST(Prompt, EndOfInputInAContinuationLeavesNoTrace) {
+  const std::map<std::string, std::string> xterm = {{"TERM", "xterm"}};
+  Session session(xterm);
+  Terminal& t = session.terminal;
+  t.send("f(\r");
+  t.wait_for(">> ");
+  t.send("\x04");
+  t.wait_for("> ");
+  t.send("print 'one'\r");
+  t.wait_for("\rone\r\n");
+  const std::string transcript = t.transcript();
+  const std::size_t typed = transcript.rfind("print 'one'");
+  const std::string between = transcript.substr(typed);
+  EXPECT_EQ(std::count(between.begin(), between.end(), '\n'), 2) << between;
 }
 
 TEST(Prompt, InterruptGivesUpTheLine) {

@@ -3,6 +3,7 @@
 // Walks the whole live API: every name has a record, every record a live name, every example runs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -120,6 +121,14 @@ TEST_F(Api, HelpOfAFunctionTellsOptionsUnitsAndValues) {
   run("help 'meander.sim.new'");
   for (const char* part :
        {"world", "must be given", "'nomad200'", "seed of all random streams", "[m, rad]", "fails on", "example"})
+    EXPECT_NE(written_.find(part), std::string::npos) << part << "\n" << written_;
+  // The bumper's defaults are those of the platform; tables under `robots` are not told again.
+  for (const char* part : {"20 when left out", "0.2667 when left out", "its keys as above"})
+    EXPECT_NE(written_.find(part), std::string::npos) << part << "\n" << written_;
+  EXPECT_LT(std::count(written_.begin(), written_.end(), '\n'), 65);
+  written_.clear();
+  run("apropos 'noise'");
+  for (const char* part : {"meander.sim.new { options }", "\n      drift.distance_noise  ", "\n      sonar.noise  "})
     EXPECT_NE(written_.find(part), std::string::npos) << part << "\n" << written_;
   written_.clear();
   run("help 'sim:drive'");

@@ -211,6 +211,64 @@ TEST_F(SimScript, MessagesOfTheCommonMistakes) {
   for (const auto& [script, message] : cases) EXPECT_EQ(run(script), std::string("error: test:") + message) << script;
 }
 
+TEST_F(SimScript, ChecksTheKeysOfPoints) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"{3, 1, tolerence = 0.1}",
+       "unknown option 'subgoals[1].tolerence'; did you mean 'tolerance'? (known: tolerance, "
+       "heading, name)"},
+      {"{3, 1, tolerance = -1}", "option 'subgoals[1].tolerance': a number from 0 to 1000000 [m] expected, got -1"},
+      {"{3, 1, heading = 1e300}",
+       "option 'subgoals[1].heading': a number from -1000000 to 1000000 [rad] expected, got 1e+300"},
+      {"{x = 3, y = 1, heading = 1e300}",
+       "option 'subgoals[1].heading': a number from -1000000 to 1000000 [rad] expected, got 1e+300"},
+      {"{3, 1, name = 7}", "option 'subgoals[1].name': string expected, got number 7"},
+      {"{3, 1, [true] = 7}", "options by name expected, got number 7 without a name (known: tolerance, heading, name)"},
+  };
+  for (const auto& [point, message] : cases)
+    EXPECT_EQ(run(std::string("sim:drive { navigator = home, subgoals = { ") + point + " } }"),
+              std::string("error: test:1: sim:drive: ") + message);
+  EXPECT_EQ(run("return sim:drive { navigator = home, subgoals = { {3, 1, name = 'desk'} } }.goals[1].name"), "desk");
+  EXPECT_EQ(run("return new():drive { navigator = home, subgoals = { sim.pose } }.reached"), "1");
+  EXPECT_EQ(run("new():drive { navigator = home, guide = function() return {3, 1, tolerance = -1} end }"),
+            "error: test:1: sim:drive: option 'guide.tolerance': a number from 0 to 1000000 [m] expected, got -1");
+  EXPECT_EQ(run("return new():drive { navigator = home, guide = function() end }.reason"),
+            "the guide finished without a reason");
+}
+
+TEST_F(SimScript, NavigatorsAndGuidesServeOneRunAtATime) {
+  run("field = meander.polar.potential_field {}\n"
+      "list = meander.autonomy.subgoal_list { subgoals = { {3, 1} } }\n"
+      "other = meander.world.new { bounds = {{0, 0}, {9, 9}}, start = {1, 1, 0} }\n"
+      "function second(more) more.time_limit = 1 return meander.sim.new { world = other }:drive(more) end");
+  const std::string at_work = " is at work; functions that it calls may look at it, but not drive it";
+  EXPECT_EQ(run("sim:drive { navigator = field, subgoals = { {3, 1} }, on_step = function()\n"
+                "second { navigator = field, subgoals = { {3, 1} } } end }"),
+            "error: test:4: sim:drive: the navigator" + at_work);
+  EXPECT_EQ(run("new():drive { navigator = field, guide = list, on_step = function()\n"
+                "second { navigator = home, guide = list } end }"),
+            "error: test:4: sim:drive: the guide" + at_work);
+  EXPECT_EQ(run("new():drive { navigator = field, guide = list, on_step = function() list:reset() end }"),
+            "error: test:1: guide:reset: the guide" + at_work);
+  EXPECT_EQ(run("new():drive { navigator = field, guide = list, on_step = function() field:reset() end }"),
+            "error: test:1: navigator:reset: the navigator" + at_work);
+  EXPECT_EQ(run("local s = meander.sim.new { world = w, robots = { {}, { start = {1, 5, 0} } } }\n"
+                "s:drive { pilots = { { navigator = field, subgoals = { {3, 1} } },\n"
+                "  { navigator = field, subgoals = { {3, 5} } } } }"),
+            "error: test:2: sim:drive: option 'pilots': each needs a navigator of its own");
+  EXPECT_EQ(run("return new():drive { navigator = field, guide = list }.reached"), "1");
+}
+
+TEST_F(SimScript, OneRobotOrSeveral) {
+  EXPECT_EQ(run("sim:drive { navigator = home, pilots = { { navigator = home, subgoals = { {3, 1} } } } }"),
+            "error: test:1: sim:drive: options 'pilots' and 'navigator': one of them expected, got both");
+  EXPECT_EQ(run("sim:drive { subgoals = { {3, 1} }, pilots = { { navigator = home, subgoals = { {3, 1} } } } }"),
+            "error: test:1: sim:drive: options 'pilots' and 'subgoals': one of them expected, got both");
+  EXPECT_EQ(run("sim:drive { pilots = {} }"),
+            "error: test:1: sim:drive: option 'pilots': one table per robot expected, got {}");
+  EXPECT_EQ(run("new { robots = {} }"),
+            "error: test:8: meander.sim.new: option 'robots': at least one table of options expected, got {}");
+}
+
 TEST_F(SimScript, CallbacksMayLookButNotDrive) {
   for (const char* call : {"sim:reset()", "sim:step(0, 0)", "sim:drive { navigator = home, subgoals = { {3, 1} } }"}) {
     const std::string name = std::string(call).substr(0, std::string(call).find_first_of("( "));

@@ -129,10 +129,34 @@ TEST_F(WorldScript, MessagesOfTheCommonMistakes) {
   }
 }
 
-TEST_F(WorldScript, HandlesOfOtherWorldsMeanTheSameName) {
+TEST_F(WorldScript, HandlesMeanTheSameThingInForksOnly) {
   EXPECT_EQ(run("local v = w:fork() v:move(crate, {1, 0}) return v:get('crate').center, w:get(crate).center"),
             "{4, 2} {3, 2}");
-  EXPECT_EQ(run("meander.world.new {}:get(crate)"), "error: test:1: world:get: no 'crate' in this world");
+  const std::string refused = "the thing 'crate' is of another world, and here no thing has its number and name";
+  EXPECT_EQ(run("meander.world.new {}:get(crate)"), "error: test:1: world:get: " + refused);
+  EXPECT_EQ(run("v = meander.world.new { bounds = {{0, 0}, {9, 9}} }\n"
+                "for i = 1, 5 do v:add_light { position = {1, 1} } end\n"
+                "v:add_disc { center = {5, 5}, radius = 1, name = 'crate' }\nv:remove(crate)"),
+            "error: test:4: world:remove: " + refused);
+  EXPECT_EQ(run("local v = w:fork() v:rename('crate', 'box') v:remove(crate)"),
+            "error: test:1: world:remove: " + refused);
+  EXPECT_EQ(run("local v = w:fork() v:remove(crate) return w:thing('crate').alive, pcall(v.thing, v, 'crate')"),
+            "true false test:1: world:thing: no 'crate' in this world");
+}
+
+TEST_F(WorldScript, AnExactNameWinsOverThePattern) {
+  run("for i, name in ipairs { 'a*b', 'axb', 'a?' } do w:add_light { position = {i, 1}, name = name } end");
+  EXPECT_EQ(run("w:remove 'a*b' return table.concat(w:names 'a*', ' ')"), "axb a?");
+  EXPECT_EQ(run("w:remove { 'a?', 'a*b' } return #w:names 'a*'"), "0");
+}
+
+TEST_F(WorldScript, NamesTheKeyOfABadSize) {
+  EXPECT_EQ(
+      run("w:add_box { center = {2, 2}, size = {1, -1} }"),
+      "error: test:1: world:add_box: obstacle 'obstacle 3': size: height: a number from 1e-06 to 1e+06 m expected, "
+      "got -1");
+  EXPECT_EQ(run("w:turn('crate', 1e7)"),
+            "error: test:1: world:turn: turn: an angle within +-1e+06 rad expected, got 10000000");
 }
 
 TEST_F(WorldScript, ShowsAPicture) {
