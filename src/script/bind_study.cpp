@@ -138,17 +138,18 @@ double median_of(const Values& values) { return median(values.list); }
 Interval wilson_of(int successes, int count, const std::optional<double>& confidence) {
   return interval(wilson(successes, count, confidence.value_or(0.95)));
 }
-Interval mean_interval(const Values& values, const IntervalOptions& o) {
+Interval mean_interval(const Values& values, const IntervalOptions& o, const Call& call) {
   Stream stream(o.seed, "bootstrap");
-  return interval(bootstrap_mean(values.list, stream, o.resamples, o.confidence));
+  return interval(bootstrap_mean(values.list, stream, o.resamples, o.confidence, call.work()));
 }
-Interval median_interval(const Values& values, const IntervalOptions& o) {
+Interval median_interval(const Values& values, const IntervalOptions& o, const Call& call) {
   Stream stream(o.seed, "bootstrap");
-  return interval(bootstrap_median(values.list, stream, o.resamples, o.confidence));
+  return interval(bootstrap_median(values.list, stream, o.resamples, o.confidence, call.work()));
 }
-std::tuple<double, double, double, int, int, int> compare(const Values& a, const Values& b, const IntervalOptions& o) {
+std::tuple<double, double, double, int, int, int> compare(const Values& a, const Values& b, const IntervalOptions& o,
+                                                          const Call& call) {
   Stream stream(o.seed, "bootstrap");
-  const PairedComparison c = compare_paired(a.list, b.list, stream, o.resamples, o.confidence);
+  const PairedComparison c = compare_paired(a.list, b.list, stream, o.resamples, o.confidence, call.work());
   return {c.difference.value, c.difference.low, c.difference.high, c.a_larger, c.b_larger, c.equal};
 }
 
