@@ -86,7 +86,9 @@ SimOptions ten_hertz() {
   return options;
 }
 
-void empty_room(benchmark::State& state) { run(state, Sim(rooms(26), {nomad({2.5, 2, 0}, "nomad")}, ten_hertz()), true); }
+void empty_room(benchmark::State& state) {
+  run(state, Sim(rooms(26), {nomad({2.5, 2, 0}, "nomad")}, ten_hertz()), true);
+}
 
 void in_rooms(benchmark::State& state, const std::string& sonar) {
   auto world = rooms(static_cast<int>(state.range(0)));

@@ -9,7 +9,7 @@ namespace meander {
 
 /// One command of a transcript, with what it must do.
 struct TranscriptStep {
-  int line = 0;                    ///< of the command in its file
+  int line = 0;                      ///< of the command in its file
   std::vector<std::string> above{};  ///< comments and empty lines before the command
   std::string command{};
   std::vector<std::string> input{}, out{}, err{};
