@@ -6,6 +6,7 @@
 
 #include "autonomy/navigators.hpp"
 #include "autonomy/subgoal_list.hpp"
+#include "base/names.hpp"
 
 namespace meander {
 namespace {
@@ -115,8 +116,8 @@ TEST(Navigators, AreFoundByNameAndUnknownOnesAreListed) {
     navigator_by_name("potential_feild", platform("nomad200"));
     FAIL();
   } catch (const ArgumentError& e) {
-    EXPECT_STREQ(e.what(),
-                 "unknown navigator 'potential_feild'; known: potential_field; did you mean 'potential_field'?");
+    EXPECT_EQ(e.what(), "unknown navigator 'potential_feild'; known: " + listing(navigator_names()) +
+                            "; did you mean 'potential_field'?");
   }
 }
 
