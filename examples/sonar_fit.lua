@@ -20,7 +20,7 @@ local options = require "meander.arguments" {
   { "--out DIR", default = "out", help = "folder of the table" },
   { "--rate HZ", default = 9.0, help = "frames per second of the log" },
   { "--frames N", default = 0, help = "frames to simulate; 0: as many as the log has" },
-  { "--room N", default = 1, help = "number of the simulated room" },
+  { "--room N", default = 447, help = "number of the simulated room; 447 is nearest to the SCITOS log" },
   { "--rooms N", default = 0, help = "look through so many rooms for the best one" },
   { "--generations N", default = 0, help = "generations of the fit; 0: no fit" },
   { "--fit WHAT", default = "all", help = "all: sonar and drive; drive: ring radius, distance, speed, preset as it is" },
