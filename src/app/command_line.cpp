@@ -9,6 +9,7 @@
 #include <memory>
 #include <string_view>
 
+#include "app/subcommands.hpp"
 #include "base/names.hpp"
 
 namespace meander {
@@ -22,8 +23,13 @@ Exit codes: 0 done, 1 error in a script, 2 error on the command line, 130 interr
 
 struct Formatter : CLI::Formatter {
   std::string make_usage(const CLI::App*, std::string) const override {
-    return "Usage: meander [OPTIONS] [FILE [ARGUMENTS...]]\n"
-           "Without FILE and -e: the prompt. In a checkout, ./meander test runs the test suite.\n";
+    std::string text =
+        "Usage: meander [OPTIONS] [FILE [ARGUMENTS...]]\n"
+        "Without FILE and -e: the prompt. In a checkout, ./meander test runs the test suite.\n"
+        "\nCommands, each with --help:\n";
+    for (const Subcommand& command : subcommands())
+      text += fmt::format("  meander {:<20} {}\n", fmt::format("{} {}", command.name, command.arguments), command.text);
+    return text;
   }
 };
 

@@ -81,11 +81,11 @@ int echo_values(lua_State* L) {
 
 }  // namespace
 
-Interpreter::Interpreter(const std::string& lua_dir) : L_(luaL_newstate()) {
+Interpreter::Interpreter(const InterpreterOptions& options) : L_(luaL_newstate()) {
   if (!L_) throw std::bad_alloc();
   attach(L_, session_);
   lua_pushcfunction(L_, set_up);
-  lua_pushlstring(L_, lua_dir.data(), lua_dir.size());
+  lua_pushlstring(L_, options.lua_dir.data(), options.lua_dir.size());
   ErrorReport report;
   if (call_reporting(L_, 1, report)) return;
   lua_close(L_);

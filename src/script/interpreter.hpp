@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "script/completion.hpp"
 #include "script/lua_traceback.hpp"
+#include "script/sandbox.hpp"
 #include "script/session.hpp"
 
 namespace meander::script {
@@ -22,6 +24,10 @@ struct Outcome : ErrorReport {
   bool done() const { return kind == Kind::done; }
 };
 
+struct InterpreterOptions {
+  std::string lua_dir{};  ///< folder of Lua modules to use instead of those inside the program; may be empty
+};
+
 /// A Lua state with the standard libraries, strict globals, `meander`, and an interrupt. Scripts are texts: bytecode is
 /// refused. math.random starts from the same seed in every run.
 ///
@@ -30,8 +36,7 @@ struct Outcome : ErrorReport {
 /// once.
 class Interpreter {
  public:
-  /// `lua_dir` (may be empty) holds Lua modules to use instead of those inside the program.
-  explicit Interpreter(const std::string& lua_dir = {});
+  explicit Interpreter(const InterpreterOptions& options = {});
   ~Interpreter();
   Interpreter(const Interpreter&) = delete;
   Interpreter& operator=(const Interpreter&) = delete;

@@ -1,0 +1,37 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- SPDX-FileCopyrightText: the meander authors
+-- meander convert IN OUT: reads any importable map, writes it as a world, a ROS map or a picture.
+local report = require "meander.report"
+
+local options = require "meander.arguments" {
+  about = "reads a world (.toml), ROS map (.yaml), floor plan (image) or BARN world (.csv); writes by the suffix of OUT:\n"
+    .. ".toml world, .yaml ROS map with its .pgm, .svg or .png picture",
+  { "--resolution M", default = 0.05, help = "metres per pixel of an image; of a ROS map that is written" },
+  { "--unknown HOW", default = "auto", help = "unknown cells of a ROS map: auto, free or occupied" },
+  { "--index N", default = 0, help = "which world of a BARN file" },
+  { "--force", help = "write over a file that is there" },
+  { "IN", help = "file to read" },
+  { "OUT", help = "file to write" },
+}
+
+local writers = {
+  toml = function(world, path) world:save(path) end,
+  svg = function(world, path) world:save(path) end,
+  png = function(world, path) world:save(path) end,
+  yaml = function(world, path) meander.world.export_ros(world, path, { resolution = options.resolution }) end,
+}
+
+local write = writers[options.OUT:match("%.(%w+)$") or ""]
+if not write then report.usage_error("OUT: .toml, .yaml, .svg or .png expected, got '" .. options.OUT .. "'") end
+local there = io.open(options.OUT, "r")
+if there then
+  there:close()
+  if not options.force then report.usage_error("'" .. options.OUT .. "' exists already (--force writes over it)") end
+end
+
+local world, notes = meander.world.import(options.IN, {
+  resolution = options.resolution, unknown = options.unknown, index = options.index,
+})
+for _, line in ipairs(notes) do io.stderr:write(line, "\n") end
+write(world, options.OUT)
+print(tostring(world) .. " -> " .. options.OUT)

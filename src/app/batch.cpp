@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "app/batch.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+
+#include "app/near_path.hpp"
+#include "app/output.hpp"
+#include "app/progress.hpp"
+
+namespace meander {
+namespace {
+
+using script::Interpreter;
+using script::Outcome;
+
+bool plain_terminal() {
+  const char* term = std::getenv("TERM");
+  const char* no_color = std::getenv("NO_COLOR");
+  return !term || !*term || std::string_view(term) == "dumb" || (no_color && *no_color);
+}
+
+int exit_code(const Outcome& outcome) {
+  switch (outcome.kind) {
+    case Outcome::Kind::done:
+      return kExitOk;
+    case Outcome::Kind::failed:
+      return kExitScriptError;
+    case Outcome::Kind::interrupted:
+      return kExitInterrupted;
+  }
+  return kExitScriptError;
+}
+
+int run_script(Interpreter& lua, const std::string& path) {
+  if (path == "-") return report(lua.run_input());
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    complain("no script '" + path + "'" + near_path_hint(path));
+    return kExitUsage;
+  }
+  if (std::filesystem::is_directory(path, error)) {
+    complain("'" + path + "' is a folder, a script expected");
+    return kExitUsage;
+  }
+  return report(lua.run_main(path));
+}
+
+}  // namespace
+
+void set_up_terminal(Interpreter& lua) {
+  lua.session().terminal = isatty(STDOUT_FILENO) && !plain_terminal();
+  lua.session().progress = progress_line();
+}
+
+int report(const Outcome& outcome) {
+  if (outcome.kind == Outcome::Kind::interrupted)
+    complain(outcome.message.empty() ? "interrupted" : outcome.message);
+  else if (!outcome.done())
+    complain(script::text_of(outcome));
+  return exit_code(outcome);
+}
+
+int run_batch(Interpreter& lua, const CommandLine& line) {
+  lua.set_arguments(line.script.value_or("meander"), line.arguments);
+  for (const std::string& module : line.modules)
+    if (const int code = report(lua.load_module(module))) return code;
+  for (const std::string& code : line.code)
+    if (const int failed = report(lua.run_text(code, "=-e"))) return failed;
+  return line.script ? run_script(lua, *line.script) : kExitOk;
+}
+
+int run_lua_command(const std::string& name, const CommandLine& line) {
+  Interpreter lua({.lua_dir = line.lua_dir});
+  set_up_terminal(lua);
+  lua.set_arguments("meander " + name, line.arguments);
+  return report(lua.run_text("require 'meander.commands." + name + "'", "=meander"));
+}
+
+}  // namespace meander

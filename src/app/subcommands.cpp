@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "app/subcommands.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace meander {
+namespace {
+
+constexpr std::array kSubcommands = {
+    Subcommand{"convert", "IN OUT", "read a world or map, write it in another format", convert_command},
+};
+
+}  // namespace
+
+std::span<const Subcommand> subcommands() { return kSubcommands; }
+
+const Subcommand* find_subcommand(std::string_view name) {
+  const auto found = std::find_if(kSubcommands.begin(), kSubcommands.end(),
+                                  [&](const Subcommand& command) { return command.name == name; });
+  return found == kSubcommands.end() ? nullptr : &*found;
+}
+
+}  // namespace meander

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <span>
+#include <string_view>
+
+#include "app/command_line.hpp"
+
+namespace meander {
+
+/// What `meander NAME ARGUMENTS...` does instead of running a script called NAME.
+struct Subcommand {
+  const char* name;
+  const char* arguments;                ///< for --help: "IN OUT"
+  const char* text;                     ///< one line without the final stop
+  int (*run)(const CommandLine& line);  ///< `line.arguments` is what follows NAME; gives the exit code
+};
+
+std::span<const Subcommand> subcommands();
+/// nullptr: `name` is a script.
+const Subcommand* find_subcommand(std::string_view name);
+
+// One file each: <name>_command.cpp.
+int convert_command(const CommandLine& line);
+
+}  // namespace meander
