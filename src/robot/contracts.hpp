@@ -13,9 +13,9 @@ namespace meander {
 /// Where to go next, in the odometry frame.
 struct Subgoal {
   Vec2 position{0, 0};
-  double tolerance = 0.25;        ///< arrived when the robot's centre is this near [m]
-  std::optional<double> heading;  ///< wanted on arrival [rad]; none: any
-  std::string name;               ///< for people; may be empty
+  double tolerance = 0.25;          ///< arrived when the robot's centre is this near [m]
+  std::optional<double> heading{};  ///< wanted on arrival [rad]; none: any
+  std::string name{};               ///< for people; may be empty
 };
 
 enum class NavigatorStatus { driving, arrived, trapped };
@@ -29,7 +29,7 @@ struct EnumNames<NavigatorStatus> {
 struct NavigatorStep {
   Command command;
   NavigatorStatus status = NavigatorStatus::driving;
-  std::string reason;  ///< why trapped, in words
+  std::string reason{};  ///< why trapped, in words
 };
 
 /// Drives towards one subgoal by readings and odometry alone.
