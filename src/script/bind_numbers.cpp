@@ -108,6 +108,7 @@ void bind_numbers(lua_State* L) {
                         .text = "A list of what a function makes of each number.",
                         .args = {{"function", "function(number, index) that returns a value"}},
                         .returns = "list of what it returned",
+                        .returns_type = "list of any",
                         .errors = "those of the function",
                         .example = "meander.numbers({3, 1, 2}):map(math.floor)"})
       .method<&least>(Doc{.name = "min",

@@ -210,6 +210,7 @@ void bind_study(lua_State* L) {
           "of jobs changes no result. Results come in the order of the seeds.",
       .args = {{"options", "the function and the seeds"}},
       .returns = "list of tables: seed, ok, and value (of a run: its figures) or error",
+      .returns_type = "list of table",
       .errors = "neither seeds nor count; no process to be had",
       .example =
           "r = meander.study.trials { seeds = {1, 2}, jobs = 1, trial = function(seed) return { twice = 2 * seed } "

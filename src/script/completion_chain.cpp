@@ -4,6 +4,7 @@
 
 #include <lauxlib.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "script/kit_module.hpp"
@@ -68,7 +69,8 @@ std::optional<Subject> root(lua_State* L, std::string_view name) {
 /// What the record promises to return; a type only where it is one of the bindings.
 std::optional<Subject> promised(lua_State* L, const Record* record) {
   if (!record) return std::nullopt;
-  const Record* type = session(L).docs.find(record->returns_type);
+  const std::string_view types = record->returns_type;  // "run or list of run", "world, list of string"
+  const Record* type = session(L).docs.find(types.substr(0, std::min(types.find(" or "), types.find(','))));
   if (!type || type->kind != DocKind::type) return std::nullopt;
   return Subject{.type = type->name()};
 }

@@ -53,4 +53,11 @@ std::vector<const Record*> Docs::members(std::string_view owner) const {
   return result;
 }
 
+const Record* Docs::element(std::string_view owner) const {
+  const auto found = std::find_if(events_.begin(), events_.end(), [&](const Record& record) {
+    return record.owner == owner && record.member == kElementName;
+  });
+  return found == events_.end() ? nullptr : &*found;
+}
+
 }  // namespace meander::script

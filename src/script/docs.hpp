@@ -54,6 +54,9 @@ struct Record {
   std::string signature() const;
 };
 
+/// The member that stands for what [i] gives.
+inline constexpr const char* kElementName = "[i]";
+
 /// All records of one interpreter, in the order of registration. References stay valid.
 class Docs {
  public:
@@ -64,6 +67,8 @@ class Docs {
   const Record* find(std::string_view name) const;
   /// What a module or a type offers, in the order of registration.
   std::vector<const Record*> members(std::string_view owner) const;
+  /// What [i] of a type gives, or nullptr.
+  const Record* element(std::string_view owner) const;
 
  private:
   std::deque<Record> records_;

@@ -22,9 +22,10 @@ struct Doc {
   const char* name = nullptr;
   const char* text = nullptr;
   Arg args[kMostArgs] = {};
-  const char* returns = nullptr;  ///< in words
-  const char* errors = "";        ///< what makes the call fail
-  const char* example = nullptr;  ///< runs as it stands
+  const char* returns = nullptr;       ///< in words
+  const char* returns_type = nullptr;  ///< where the C++ type tells too little: "run or list of run"
+  const char* errors = "";             ///< what makes the call fail
+  const char* example = nullptr;       ///< runs as it stands
 };
 
 /// The record of a property.
@@ -104,6 +105,24 @@ std::vector<ArgumentDoc> describe_arguments(const Doc& doc) {
 
 }  // namespace detail
 
+/// What a result of type R is called: an empty optional is nil for Lua.
+template <class R>
+struct ResultType {
+  static std::string text() { return Lua<R>::type(); }
+};
+template <class T>
+struct ResultType<std::optional<T>> {
+  static std::string text() { return ResultType<T>::text() + " or nil"; }
+};
+template <class... T>
+struct ResultType<std::tuple<T...>> {
+  static std::string text() {
+    std::string all;
+    ((all += (all.empty() ? "" : ", ") + ResultType<T>::text()), ...);
+    return all;
+  }
+};
+
 /// The record of a bound function for help() and the rest.
 template <auto F, bool is_method>
 Record make_record(const Doc& doc, const char* owner) {
@@ -117,7 +136,7 @@ Record make_record(const Doc& doc, const char* owner) {
                 .example = doc.example};
   if constexpr (returns_something<F>) {
     record.returns = doc.returns;
-    record.returns_type = Lua<R>::type();
+    record.returns_type = written(doc.returns_type) ? doc.returns_type : ResultType<R>::text();
   }
   return record;
 }

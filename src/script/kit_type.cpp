@@ -22,6 +22,8 @@ const char kElement = 0;     ///< keys the reader of integer keys in the member 
   const std::string key =
       lua_type(L, 2) == LUA_TSTRING ? "'" + std::string(lua_tostring(L, 2)).substr(0, 60) + "'" : describe(L, 2);
   const std::string plain = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+  if (const Record* namesake = session(L).docs.find("meander." + type.name() + "." + plain); namesake && !setting)
+    fail("has no member {}; the module has it: {}", key, namesake->name());
   fail("has no {} {}{}{}", setting ? "property to set called" : "member", key, did_you_mean(plain, names),
        known.empty() ? "" : " (known: " + listing(known) + ")");
 }
@@ -129,8 +131,9 @@ void TypeBuilder::add_event(const char* event, const char* shown_as, lua_CFuncti
   lua_pop(L_, 2);
 }
 
-void TypeBuilder::add_element(int (*get)(lua_State*, const Record&)) {
-  const Record& kept = session(L_).docs.add({.kind = DocKind::metamethod, .owner = tag_.name, .member = "[i]"});
+void TypeBuilder::add_element(std::string type, int (*get)(lua_State*, const Record&)) {
+  const Record& kept = session(L_).docs.add(
+      {.kind = DocKind::metamethod, .owner = tag_.name, .member = kElementName, .returns_type = std::move(type)});
   push_type(L_, tag_);
   *static_cast<Property*>(lua_newuserdatauv(L_, sizeof(Property), 0)) = {&kept, get, nullptr};
   lua_rawsetp(L_, -2, &kElement);

@@ -28,7 +28,7 @@ class TypeBuilder {
   /// A function for an event of the metatable; its record only gives messages their name.
   void add_event(const char* event, const char* shown_as, lua_CFunction function);
   /// `get` finds self and an integer key on the stack.
-  void add_element(int (*get)(lua_State*, const Record&));
+  void add_element(std::string type, int (*get)(lua_State*, const Record&));
 
   lua_State* L_;
   const TypeTag& tag_;
@@ -80,7 +80,7 @@ class Type : public TypeBuilder {
   /// F(const T&, lua_Integer): what [i] gives; an empty optional ends ipairs().
   template <auto F>
   Type& element() {
-    add_element(at<F>);
+    add_element(ResultType<std::remove_cvref_t<typename SignatureOf<F>::Result>>::text(), at<F>);
     return *this;
   }
   /// std::string F(const T&, const Call&): what show() writes.
@@ -95,7 +95,7 @@ class Type : public TypeBuilder {
   Record property_record(const PropertyDoc& doc) const {
     using R = std::remove_cvref_t<typename SignatureOf<Get>::Result>;
     Record record{.kind = DocKind::property, .owner = tag_.name, .member = doc.name, .text = doc.text};
-    record.returns_type = Lua<R>::type();
+    record.returns_type = ResultType<R>::text();
     record.returns = doc.unit;
     record.example = doc.example;
     return record;
