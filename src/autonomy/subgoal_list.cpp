@@ -39,7 +39,7 @@ class SubgoalList {
     while (now_ < subgoals_.size()) {
       if (told == NavigatorStatus::arrived || near(at)) {
         ++reached_;
-      } else if (told == NavigatorStatus::trapped) {
+      } else if (told == NavigatorStatus::trapped && options_.when_trapped != WhenTrapped::insist) {
         if (options_.when_trapped == WhenTrapped::stop) return finished(trapped(navigator.reason));
         skipped_ = trapped(navigator.reason);
       } else {

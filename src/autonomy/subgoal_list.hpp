@@ -9,11 +9,11 @@
 namespace meander {
 
 /// What a guide does when the navigator says that it is trapped.
-enum class WhenTrapped { stop, skip };
+enum class WhenTrapped { stop, skip, insist };
 template <>
 struct EnumNames<WhenTrapped> {
-  static constexpr std::pair<WhenTrapped, const char*> entries[] = {{WhenTrapped::stop, "stop"},
-                                                                    {WhenTrapped::skip, "skip"}};
+  static constexpr std::pair<WhenTrapped, const char*> entries[] = {
+      {WhenTrapped::stop, "stop"}, {WhenTrapped::skip, "skip"}, {WhenTrapped::insist, "insist"}};
 };
 
 struct SubgoalListOptions {
@@ -29,7 +29,7 @@ void fields(Options& o, Visitor&& visit) {
           "go on to the next subgoal when this near, so that the robot need not slow down; 0: the subgoal's tolerance",
           0, 100},
       o.hand_over);
-  visit(Field{"when_trapped", "", "stop, or skip to the next subgoal"}, o.when_trapped);
+  visit(Field{"when_trapped", "", "stop, skip to the next subgoal, or insist on this one"}, o.when_trapped);
 }
 
 /// One subgoal after the other. A subgoal counts as reached when the robot's centre is within its tolerance (or within

@@ -3,6 +3,7 @@
 #include "script/bind.hpp"
 #include "script/control_options.hpp"
 #include "script/example_text.hpp"
+#include "script/file_access.hpp"
 #include "script/kit_type.hpp"
 #include "script/numbers.hpp"
 #include "script/picture.hpp"
@@ -27,7 +28,8 @@ Numbers trace(const RunPtr& record, TraceName name) { return trace_of(record, na
 Matrix sonar(const RunRecord& record) { return sonar_of(record.run); }
 std::string to_json(const RunRecord& record) { return summary_json(record.run); }
 
-void save(const RunRecord& record, const std::string& path) {
+void save(const RunRecord& record, const OutputFile& file) {
+  const std::string& path = file.path;
   if (path.ends_with(".csv"))
     save_csv(record.run, path);
   else if (path.ends_with(".jsonl"))
@@ -63,6 +65,9 @@ void bind_outcome(Type<RunRecord>& type) {
       .property<&get<&Run::fault_contacts>>(PropertyDoc{.name = "fault_contacts",
                                                         .text = "Contacts by its own motion.",
                                                         .example = EXAMPLE_RUN "print(run.fault_contacts)"})
+      .property<&get<&Run::trapped>>(PropertyDoc{.name = "trapped",
+                                                 .text = "How often the navigator said that it is trapped.",
+                                                 .example = EXAMPLE_RUN "print(run.trapped)"})
       .property<&get<&Run::seed>>(
           PropertyDoc{.name = "seed", .text = "Seed of the simulation.", .example = EXAMPLE_RUN "print(run.seed)"})
       .property<&hash>(PropertyDoc{.name = "hash",

@@ -38,6 +38,7 @@ struct Run {
   double length = 0;  ///< true way [m]
   int contacts = 0;
   int fault_contacts = 0;
+  int trapped = 0;           ///< times the navigator said that it is trapped
   double clearance_min = 0;  ///< [m], hull to obstacle
   double clearance_mean = 0;
   double turning = 0;        ///< sum |change of heading| [rad]

@@ -73,6 +73,7 @@ Json summary(const Run& run) {
           {"subgoals", run.subgoals},
           {"contacts", run.contacts},
           {"fault_contacts", run.fault_contacts},
+          {"trapped", run.trapped},
           {"time", run.time},
           {"length", run.length},
           {"clearance_min", run.clearance_min},

@@ -80,6 +80,13 @@ TEST(SubgoalListTest, OrSkipsAndSaysSo) {
   EXPECT_EQ(end.reason, "2 of 3 subgoals reached; trapped on the way to subgoal 1 'a' at (1.00, 0.00): walled in");
 }
 
+TEST(SubgoalListTest, OrInsists) {
+  const Guide guide = subgoal_list(three(), {.when_trapped = WhenTrapped::insist});
+  guide.next(at(0, 0), {});
+  EXPECT_EQ(guide.next(at(0, 0), said(NavigatorStatus::trapped)).subgoal->name, "a");
+  EXPECT_EQ(guide.next(at(1, 0), said(NavigatorStatus::driving)).subgoal->name, "b");
+}
+
 TEST(SubgoalListTest, AHeadingIsTheNavigatorsBusiness) {
   auto goals = three();
   goals.back().heading = 1;

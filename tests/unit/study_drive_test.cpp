@@ -115,6 +115,20 @@ TEST(Drive, EndsAtTheTimeLimitAndAtContacts) {
   EXPECT_NEAR(hit.clearance_min, 0, 1e-6);
 }
 
+TEST(Drive, CountsHowOftenTheNavigatorIsTrapped) {
+  Sim sim = in_room();
+  int cycle = 0;
+  const Navigator moody{.name = "moody", .step = [&](const Observation&, const Subgoal&) -> NavigatorStep {
+                          const bool trapped = cycle % 10 < 2;
+                          ++cycle;
+                          return {{}, trapped ? NavigatorStatus::trapped : NavigatorStatus::driving, {}};
+                        }};
+  const Guide guide = subgoal_list(places({{9, 5}}), {.when_trapped = WhenTrapped::insist});
+  const auto run = drive(sim, moody, guide, {.time_limit = 30 * 0.33 - 0.1});
+  EXPECT_EQ(run.cycles, 30);
+  EXPECT_EQ(run.trapped, 3) << "a report that lasts counts once";
+}
+
 TEST(Drive, StopsWhenAskedWithTheStateIntact) {
   Sim sim = in_room();
   StopToken stop;
