@@ -34,9 +34,42 @@ struct Pilot {
   Guide guide;
 };
 
-/// Closes the loop from the simulation's present state on: guide, navigator, step, until the guide has finished, the
-/// time is up or `on_step` says so. Robot k is driven by pilot k; robots without a pilot, or whose guide has finished,
-/// stand still. Returns one run per pilot. Both contracts are reset first. Throws Cancelled when a stop was asked for.
+class Seat;
+
+/// A loop that is being closed, cycle by cycle, from the simulation's present state on: guide, navigator, step. Robot k
+/// is driven by pilot k; robots without a pilot, or whose guide has finished, stand still. Both contracts are reset
+/// first.
+class Drive {
+ public:
+  Drive(Sim& sim, std::span<const Pilot> pilots, const DriveOptions& options = {});
+  ~Drive();
+  Drive(const Drive&) = delete;
+  Drive& operator=(const Drive&) = delete;
+
+  /// One cycle. False, without one, when every guide has finished or the time is up.
+  bool step();
+  /// Ends it for all pilots that have not finished.
+  void stop(const std::string& reason);
+  bool finished() const;
+
+  double time() const;      ///< since its begin [s]
+  double progress() const;  ///< share of the subgoals or of the time, whichever is larger, in [0, 1]
+  std::size_t pilots() const;
+  /// What is recorded so far: goals, subgoals reached, steps.
+  const Run& run(std::size_t pilot) const;
+  /// One run per pilot, whether it has finished or not. Gives them away: the drive is over then.
+  std::vector<Run> results();
+
+ private:
+  Sim& sim_;
+  DriveOptions options_;
+  double start_;
+  std::vector<Seat> seats_;
+  std::vector<Command> commands_;
+};
+
+/// A whole drive, until the guides have finished, the time is up or `on_step` says so. Returns one run per pilot.
+/// Throws Cancelled when a stop was asked for.
 std::vector<Run> drive(Sim& sim, std::span<const Pilot> pilots, const DriveOptions& options = {}, const Work& work = {},
                        const OnStep& on_step = {});
 
