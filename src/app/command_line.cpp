@@ -62,6 +62,26 @@ std::optional<int> take_script(const CLI::App& app, std::vector<std::string> res
   return std::nullopt;
 }
 
+/// --sandbox, and --sandbox-NAME for each of its limits, which imply it.
+void add_sandbox_options(CLI::App& app, CommandLine& line) {
+  const auto wanted = [&line]() -> script::SandboxOptions& {
+    return line.sandbox ? *line.sandbox : line.sandbox.emplace();
+  };
+  app.add_flag_callback("--sandbox", wanted, "run a script of somebody else within limits");
+  script::SandboxOptions standard;
+  fields(standard, [&]<class T>(const Field& field, const T& value) {
+    const auto set = [wanted, name = std::string_view(field.name)](const T& given) {
+      fields(wanted(), [&]<class U>(const Field& other, U& member) {
+        if constexpr (std::is_same_v<T, U>)
+          if (name == other.name) member = given;
+      });
+    };
+    const std::string unit = *field.unit ? fmt::format(" [{}]", field.unit) : "";
+    app.add_option_function<T>(fmt::format("--sandbox-{}", field.name), set, field.doc + unit)
+        ->default_str(fmt::format("{}", value));
+  });
+}
+
 }  // namespace
 
 std::optional<int> parse_command_line(int argc, char** argv, CommandLine& line) {
@@ -78,12 +98,14 @@ std::optional<int> parse_command_line(int argc, char** argv, CommandLine& line) 
   app.add_flag("--no-rc", line.no_rc, "at the prompt, skip the start-up file $XDG_CONFIG_HOME/meander/init.lua");
   app.add_option("--lua-dir", line.lua_dir, "use the Lua modules of DIR instead of those inside the program")
       ->type_name("DIR");
+  add_sandbox_options(app, line);
   app.prefix_command();
   try {
     app.parse(argc, argv);
+    if (line.sandbox) validate(*line.sandbox, "--sandbox-");
   } catch (const CLI::Success& wanted) {
     return app.exit(wanted);
-  } catch (const CLI::ParseError& error) {
+  } catch (const std::exception& error) {
     return usage_error(error.what());
   }
   return take_script(app, app.remaining(), line);

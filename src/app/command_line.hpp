@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "script/sandbox.hpp"
+
 namespace meander {
 
 /// Exit codes of the program.
@@ -18,9 +20,10 @@ struct CommandLine {
   std::vector<std::string> modules;  ///< -l
   std::vector<std::string> code;     ///< -e
   std::string lua_dir;
-  std::optional<std::string> script;   ///< "-" is standard input
-  std::vector<std::string> arguments;  ///< what follows the script
-  bool interactive = false;            ///< -i
+  std::optional<script::SandboxOptions> sandbox;  ///< --sandbox and the options that imply it
+  std::optional<std::string> script;              ///< "-" is standard input
+  std::vector<std::string> arguments;             ///< what follows the script
+  bool interactive = false;                       ///< -i
   bool no_rc = false;
 };
 

@@ -24,7 +24,7 @@ int run(CommandLine line) {
     else
       line.script.emplace("-");
   }
-  script::Interpreter lua({.lua_dir = line.lua_dir});
+  script::Interpreter lua({.lua_dir = line.lua_dir, .sandbox = line.sandbox});
   set_up_terminal(lua);
   const int code = run_batch(lua, line);
   if (!line.interactive) return code;

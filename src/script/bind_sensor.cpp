@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "script/bind.hpp"
 #include "script/example_text.hpp"
+#include "script/file_access.hpp"
 #include "script/kit_module.hpp"
 #include "script/kit_type.hpp"
 #include "script/picture.hpp"
@@ -25,7 +26,9 @@ std::vector<Vec2> points(const Reading& reading) {
   return echoes;
 }
 
-void save(const Reading& reading, const std::string& path) { save_drawing(path, picture_of(reading), ".svg or .png"); }
+void save(const Reading& reading, const OutputFile& file) {
+  save_drawing(file.path, picture_of(reading), ".svg or .png");
+}
 std::string show(const Reading& reading, const Call& call) { return terminal_picture(picture_of(reading), call); }
 std::string text(const Reading& reading) {
   const std::size_t echoes = points(reading).size();

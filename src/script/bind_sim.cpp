@@ -3,6 +3,7 @@
 #include "script/bind.hpp"
 #include "script/command_argument.hpp"
 #include "script/example_text.hpp"
+#include "script/file_access.hpp"
 #include "script/kit_module.hpp"
 #include "script/kit_type.hpp"
 #include "script/picture.hpp"
@@ -60,7 +61,7 @@ std::vector<RobotView> robots(const SimPtr& sim) {
   return list;
 }
 
-void save(const Sim& sim, const std::string& path) { save_drawing(path, picture_of(sim), ".svg or .png"); }
+void save(const Sim& sim, const OutputFile& file) { save_drawing(file.path, picture_of(sim), ".svg or .png"); }
 std::string show(const Sim& sim, const Call& call) { return terminal_picture(picture_of(sim), call); }
 std::string text(const Sim& sim) {
   const Pose2 at = sim.state().pose_world;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #include "script/bind.hpp"
+#include "script/file_access.hpp"
 #include "script/item_options.hpp"
 #include "script/kit_function.hpp"
 #include "script/kit_module.hpp"
@@ -46,7 +47,8 @@ ItemTable get(const World& world, const ThingRef& thing) { return {world.item(re
 
 WorldPtr fork(const World& world) { return std::make_shared<World>(world); }
 
-void save(const World& world, const std::string& path) {
+void save(const World& world, const OutputFile& file) {
+  const std::string& path = file.path;
   if (path.ends_with(".toml"))
     write_world(path, world);
   else

@@ -26,6 +26,7 @@ struct Outcome : ErrorReport {
 
 struct InterpreterOptions {
   std::string lua_dir{};  ///< folder of Lua modules to use instead of those inside the program; may be empty
+  std::optional<SandboxOptions> sandbox{};  ///< limits for a script of somebody else
 };
 
 /// A Lua state with the standard libraries, strict globals, `meander`, and an interrupt. Scripts are texts: bytecode is

@@ -23,6 +23,8 @@ struct StateLife {
   lua_State* running = nullptr;  ///< the coroutine of the innermost bound call
 };
 
+class Sandbox;
+
 /// What one Lua state knows of the program around it. Must outlive the state.
 struct Session {
   StopToken stop;  ///< set by Ctrl-C; long calls poll it
@@ -32,8 +34,9 @@ struct Session {
   bool terminal = false;  ///< pictures may use colours and escape codes
   Docs docs;
   std::shared_ptr<StateLife> life = std::make_shared<StateLife>();
-  std::vector<const void*> in_use;  ///< objects that a call in progress must not find changed
-  std::size_t native_debt = 0;      ///< bytes of native objects made since Lua's collector was last told
+  std::vector<const void*> in_use;   ///< objects that a call in progress must not find changed
+  std::size_t native_debt = 0;       ///< bytes of native objects made since Lua's collector was last told
+  std::shared_ptr<Sandbox> sandbox;  ///< null: the script may do what its user may
 };
 
 /// Ties the session to a fresh state: first call after luaL_newstate, before any coroutine is made.

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include "script/kit_value.hpp"
+
+namespace meander::script {
+
+/// Where every file name goes that a script gives, before anything is opened: the path to use. In a sandbox a name that
+/// leads out of the folder throws Error, however it does so ("..", symbolic links, devices). Bound functions do not
+/// call these, they take an InputFile or OutputFile.
+std::string path_to_read(lua_State* L, const std::string& name);
+std::string path_to_write(lua_State* L, const std::string& name);
+
+/// Parameter of a bound function: the name of a file that it reads.
+struct InputFile {
+  std::string path;
+};
+/// Parameter of a bound function: the name of a file or folder that it writes.
+struct OutputFile {
+  std::string path;
+};
+
+template <>
+struct Lua<InputFile> {
+  static InputFile read(lua_State* L, int index, const Path& path);
+  static std::string type() { return Lua<std::string>::type(); }
+};
+template <>
+struct Lua<OutputFile> {
+  static OutputFile read(lua_State* L, int index, const Path& path);
+  static std::string type() { return Lua<std::string>::type(); }
+};
+
+}  // namespace meander::script
