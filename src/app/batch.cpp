@@ -8,9 +8,11 @@
 #include <filesystem>
 #include <string_view>
 
-#include "app/near_path.hpp"
 #include "app/output.hpp"
 #include "app/progress.hpp"
+#include "app/subcommands.hpp"
+#include "base/data_folder.hpp"
+#include "base/names.hpp"
 
 namespace meander {
 namespace {
@@ -38,16 +40,17 @@ int exit_code(const Outcome& outcome) {
 
 int run_script(Interpreter& lua, const std::string& path) {
   if (path == "-") return report(lua.run_input());
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) {
-    complain("no script '" + path + "'" + near_path_hint(path));
+  const auto found = find_file(path);
+  if (!found) {
+    const std::string command = did_you_mean(path, subcommand_names());
+    complain("no script '" + path + "'" + (command.empty() ? missing_file_hint(path) : command));
     return kExitUsage;
   }
-  if (std::filesystem::is_directory(path, error)) {
+  if (std::error_code error; std::filesystem::is_directory(*found, error)) {
     complain("'" + path + "' is a folder, a script expected");
     return kExitUsage;
   }
-  return report(lua.run_main(path));
+  return report(lua.run_main(*found));
 }
 
 }  // namespace

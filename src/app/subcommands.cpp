@@ -16,6 +16,12 @@ constexpr std::array kSubcommands = {
 
 std::span<const Subcommand> subcommands() { return kSubcommands; }
 
+std::vector<std::string> subcommand_names() {
+  std::vector<std::string> names;
+  for (const Subcommand& command : kSubcommands) names.emplace_back(command.name);
+  return names;
+}
+
 const Subcommand* find_subcommand(std::string_view name) {
   const auto found = std::find_if(kSubcommands.begin(), kSubcommands.end(),
                                   [&](const Subcommand& command) { return command.name == name; });

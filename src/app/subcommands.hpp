@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/command_line.hpp"
 
@@ -17,6 +19,7 @@ struct Subcommand {
 };
 
 std::span<const Subcommand> subcommands();
+std::vector<std::string> subcommand_names();
 /// nullptr: `name` is a script.
 const Subcommand* find_subcommand(std::string_view name);
 

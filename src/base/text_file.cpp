@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "base/text_file.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -10,29 +9,19 @@
 #include <system_error>
 
 #include "base/error.hpp"
-#include "base/names.hpp"
+#include "base/near_path.hpp"
 
 namespace meander {
 
 namespace fs = std::filesystem;
 
-std::string nearest_file(const std::string& path) {
-  const fs::path wanted(path);
-  const fs::path folder = wanted.has_parent_path() ? wanted.parent_path() : fs::path(".");
-  std::vector<std::string> names;
-  std::error_code failed;
-  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed))
-    names.push_back(entry->path().filename().string());
-  std::sort(names.begin(), names.end());
-  const auto nearest = nearest_name(wanted.filename().string(), names);
-  if (!nearest) return {};
-  return fmt::format("; did you mean '{}'?", (wanted.parent_path() / *nearest).string());
-}
-
 std::string read_text_file(const std::string& path, std::size_t most) {
   std::error_code failed;
   const fs::file_status status = fs::status(path, failed);
-  if (status.type() == fs::file_type::not_found) fail<FileError>("{}: no such file{}", path, nearest_file(path));
+  if (status.type() == fs::file_type::not_found) {
+    const auto near = near_path(path);
+    fail<FileError>("{}: no such file{}", path, near ? fmt::format("; did you mean '{}'?", *near) : "");
+  }
   if (fs::is_directory(status)) fail<FileError>("{}: is a folder", path);
   const auto close = [](std::FILE* file) { std::fclose(file); };
   const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);

@@ -10,7 +10,4 @@ namespace meander {
 /// "path: is a folder", "path: cannot be read: reason" or "path: larger than the allowed N MB".
 std::string read_text_file(const std::string& path, std::size_t most);
 
-/// "; did you mean 'worlds/office.toml'?" when the folder of the path has a file of nearly that name, or an empty text.
-std::string nearest_file(const std::string& path);
-
 }  // namespace meander

@@ -6,25 +6,15 @@
 
 #include <filesystem>
 
+#include "base/data_folder.hpp"
 #include "base/error.hpp"
 
 namespace meander {
 namespace {
 
-/// lib/meander/codecs.so in the folder of the running program and in the two above it: PREFIX/bin/meander and every
-/// program of a build tree find their own.
-std::vector<std::string> candidates() {
-  std::error_code failed;
-  std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", failed).parent_path();
-  std::vector<std::string> paths;
-  for (int level = 0; level < 3 && !folder.empty(); ++level, folder = folder.parent_path())
-    paths.push_back((folder / "lib" / "meander" / "codecs.so").string());
-  return paths;
-}
-
 const Codec* load() {
   std::string tried;
-  for (const std::string& path : candidates()) {
+  for (const std::string& path : beside_program("lib/meander/codecs.so")) {
     std::error_code failed;
     if (!std::filesystem::exists(path, failed)) {
       tried += (tried.empty() ? "" : ", ") + path;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
-#include "app/near_path.hpp"
+#include "base/near_path.hpp"
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 #include "base/names.hpp"
@@ -23,28 +22,24 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-std::optional<fs::path> nearest_existing(const fs::path& path) {
+}  // namespace
+
+std::optional<std::string> near_path(const std::string& path, const std::string& folder) {
+  const fs::path base(folder);
   fs::path reached;
   std::error_code error;
-  for (const fs::path& part : path) {
-    if (fs::exists(reached / part, error)) {
+  for (const fs::path& part : fs::path(path)) {
+    if (fs::exists(base / reached / part, error)) {
       reached /= part;
-    } else if (fs::exists(reached / (part.string() + ".lua"), error)) {
+    } else if (fs::exists(base / reached / (part.string() + ".lua"), error)) {
       reached /= part.string() + ".lua";
-    } else if (const auto name = nearest_name(part.string(), names_in(reached))) {
+    } else if (const auto name = nearest_name(part.string(), names_in(base / reached))) {
       reached /= *name;
     } else {
       return std::nullopt;
     }
   }
-  return reached;
-}
-
-}  // namespace
-
-std::string near_path_hint(const std::string& path) {
-  const auto near = nearest_existing(path);
-  return near ? "; did you mean '" + near->string() + "'?" : std::string();
+  return reached.empty() ? std::nullopt : std::optional(reached.string());
 }
 
 }  // namespace meander
