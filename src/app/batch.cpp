@@ -78,7 +78,7 @@ int run_batch(Interpreter& lua, const CommandLine& line) {
 }
 
 int run_lua_command(const std::string& name, const CommandLine& line) {
-  Interpreter lua({.lua_dir = line.lua_dir});
+  Interpreter lua({.lua_dir = line.lua_dir, .sandbox = line.sandbox});
   set_up_terminal(lua);
   lua.set_arguments("meander " + name, line.arguments);
   return report(lua.run_text("require 'meander.commands." + name + "'", "=meander"));

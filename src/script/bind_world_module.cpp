@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
+#include "base/data_folder.hpp"
 #include "script/bind.hpp"
+#include "script/file_access.hpp"
 #include "script/item_options.hpp"
 #include "script/kit_module.hpp"
 #include "script/kit_type.hpp"
@@ -61,16 +63,18 @@ Header changed(Header header, const HeaderOptions& options) {
 std::shared_ptr<World> make(const HeaderOptions& options) {
   return std::make_shared<World>(changed(Header{}, options));
 }
-std::shared_ptr<World> open(const std::string& path) { return std::make_shared<World>(read_world(path)); }
+std::shared_ptr<World> open(const InputFile& file) {
+  return std::make_shared<World>(read_world(readable_file(file.path)));
+}
 std::shared_ptr<World> from_toml(const std::string& text) { return std::make_shared<World>(world_from_toml(text)); }
-std::tuple<std::shared_ptr<World>, std::vector<std::string>> import(const std::string& path,
-                                                                    const ImportOptions& options, const Call& call) {
-  Imported imported = import_world(path, options, call.work());
+std::tuple<std::shared_ptr<World>, std::vector<std::string>> import(const InputFile& file, const ImportOptions& options,
+                                                                    const Call& call) {
+  Imported imported = import_world(readable_file(file.path), options, call.work());
   return {std::make_shared<World>(std::move(imported.world)), std::move(imported.report)};
 }
 
-void export_ros(const World& world, const std::string& path, const ExportOptions& options, const Call& call) {
-  export_ros_map(world, path, options.resolution, call.work());
+void export_ros(const World& world, const OutputFile& file, const ExportOptions& options, const Call& call) {
+  export_ros_map(world, file.path, options.resolution, call.work());
 }
 void set(World& world, const HeaderOptions& options) { world.set_header(changed(world.header(), options)); }
 
