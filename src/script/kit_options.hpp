@@ -151,8 +151,10 @@ struct Describe<Required<T>> : Describe<T> {};
 template <class T>
 struct Describe<Preset<T>> {
   static void into(OptionDoc& doc) {
-    doc.options = describe_options<T>();
     doc.values = PresetSource<T>::names();
+    doc.options = describe_options<T>();
+    const std::string text = "the named set that the other keys change";
+    doc.options.insert(doc.options.begin(), {.name = "preset", .type = "name", .text = text, .values = doc.values});
   }
 };
 
