@@ -13,6 +13,7 @@ namespace meander {
 inline constexpr int kExitOk = 0;
 inline constexpr int kExitScriptError = 1;
 inline constexpr int kExitUsage = 2;
+inline constexpr int kExitTestFailed = 3;
 inline constexpr int kExitInterrupted = 130;
 
 /// What the user asked for.

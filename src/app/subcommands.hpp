@@ -25,5 +25,6 @@ const Subcommand* find_subcommand(std::string_view name);
 
 // One file each: <name>_command.cpp.
 int convert_command(const CommandLine& line);
+int test_command(const CommandLine& line);
 
 }  // namespace meander
