@@ -27,6 +27,7 @@ bool plain_terminal() {
 }
 
 int exit_code(const Outcome& outcome) {
+  if (outcome.exit_code) return *outcome.exit_code;
   switch (outcome.kind) {
     case Outcome::Kind::done:
       return kExitOk;
@@ -63,7 +64,7 @@ void set_up_terminal(Interpreter& lua) {
 int report(const Outcome& outcome) {
   if (outcome.kind == Outcome::Kind::interrupted)
     complain(outcome.message.empty() ? "interrupted" : outcome.message);
-  else if (!outcome.done())
+  else if (!outcome.done() && !outcome.exit_code)
     complain(script::text_of(outcome));
   return exit_code(outcome);
 }

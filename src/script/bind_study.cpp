@@ -2,12 +2,16 @@
 // SPDX-FileCopyrightText: the meander authors
 #include <lualib.h>
 
+#include <algorithm>
+#include <thread>
+
 #include "script/bind.hpp"
 #include "script/kit_function.hpp"
 #include "script/kit_module.hpp"
 #include "script/kit_options.hpp"
 #include "script/lua_traceback.hpp"
 #include "script/pack.hpp"
+#include "script/sandbox_state.hpp"
 #include "script/values.hpp"
 #include "study/statistics.hpp"
 #include "study/trials.hpp"
@@ -26,7 +30,7 @@ requires std::same_as<std::remove_const_t<Options>, TrialsTable>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"trial", "", "function(seed, index) that returns a run, or a table, number or text"}, o.trial);
   visit(Field{"seeds", "", "one trial for each"}, o.seeds);
-  visit(Field{"count", "", "so many trials, with seeds that follow from `seed`", 0, 1e9}, o.count);
+  visit(Field{"count", "", "so many trials, with seeds that follow from `seed`", 0, 1e6}, o.count);
   visit(Field{"seed", "", "from which the seeds of the trials follow"}, o.seed);
   visit(Field{"jobs", "", "trials at a time, each in a process of its own; 0: one per core", 0, 1024}, o.jobs);
 }
@@ -91,7 +95,8 @@ int call_trial(lua_State* L) {
 }
 
 /// One trial in its process: the result as bytes. Lua's error becomes an exception, which a worker can report.
-std::string run_trial(lua_State* L, const Function& trial, std::uint64_t seed, std::size_t index) {
+std::string run_trial(lua_State* L, const Function& trial, std::uint64_t seed, std::size_t index, int jobs) {
+  if (const auto& sandbox = session(L).sandbox) sandbox->become_worker(jobs);
   session(L).progress = nullptr;  // the line of the terminal is the parent's
   TrialCall call{trial, seed, index, {}};
   luaL_checkstack(L, 4, nullptr);
@@ -114,14 +119,23 @@ void push_trial(lua_State* L, const TrialResult& result, std::uint64_t seed) {
   lua_setfield(L, -2, result.ok ? "value" : "error");
 }
 
+/// A sandbox is shared by its workers: no more of them than cores, and none of their own.
+int jobs_of(const TrialsTable& table, const Sandbox* sandbox) {
+  if (!sandbox) return table.jobs;
+  if (sandbox->is_worker()) fail<Error>("sandbox: a trial cannot run trials of its own");
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  return table.jobs > 0 ? std::min(table.jobs, cores) : cores;
+}
+
 Pushed trials(const TrialsTable& table, const Call& call) {
+  const int jobs = jobs_of(table, session(call.L).sandbox.get());
   const std::vector<std::uint64_t> seeds = seeds_of(table);
   lua_State* L = call.L;
   lua_createtable(L, static_cast<int>(seeds.size()), 0);
   const int list = lua_gettop(L);
   run_trials(
-      seeds.size(), table.jobs, call.work(),
-      [&](std::size_t i) { return run_trial(L, table.trial.value, seeds[i], i); },
+      seeds.size(), jobs, call.work(),
+      [&](std::size_t i) { return run_trial(L, table.trial.value, seeds[i], i, jobs); },
       [&](const TrialResult& result) {
         push_trial(L, result, seeds[result.index]);
         lua_rawseti(L, list, static_cast<lua_Integer>(result.index) + 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
-#include "base/data_folder.hpp"
+#include <filesystem>
+
 #include "script/bind.hpp"
 #include "script/file_access.hpp"
 #include "script/item_options.hpp"
@@ -63,17 +64,18 @@ Header changed(Header header, const HeaderOptions& options) {
 std::shared_ptr<World> make(const HeaderOptions& options) {
   return std::make_shared<World>(changed(Header{}, options));
 }
-std::shared_ptr<World> open(const InputFile& file) {
-  return std::make_shared<World>(read_world(readable_file(file.path)));
-}
+std::shared_ptr<World> open(const InputFile& file) { return std::make_shared<World>(read_world(file.path)); }
 std::shared_ptr<World> from_toml(const std::string& text) { return std::make_shared<World>(world_from_toml(text)); }
 std::tuple<std::shared_ptr<World>, std::vector<std::string>> import(const InputFile& file, const ImportOptions& options,
                                                                     const Call& call) {
-  Imported imported = import_world(readable_file(file.path), options, call.work());
+  ImportOptions all = options;
+  all.opens = [&](const std::string& path) { path_to_read(call.L, std::filesystem::absolute(path).string()); };
+  Imported imported = import_world(file.path, all, call.work());
   return {std::make_shared<World>(std::move(imported.world)), std::move(imported.report)};
 }
 
 void export_ros(const World& world, const OutputFile& file, const ExportOptions& options, const Call& call) {
+  path_to_write(call.L, std::filesystem::absolute(file.path).replace_extension(".pgm").string());
   export_ros_map(world, file.path, options.resolution, call.work());
 }
 void set(World& world, const HeaderOptions& options) { world.set_header(changed(world.header(), options)); }

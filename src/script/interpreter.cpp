@@ -10,8 +10,11 @@
 #include <new>
 
 #include "script/bindings.hpp"
+#include "script/kit_module.hpp"
 #include "script/lua_interrupt.hpp"
 #include "script/lua_setup.hpp"
+#include "script/sandbox_libraries.hpp"
+#include "script/sandbox_state.hpp"
 
 namespace meander::script {
 namespace {
@@ -34,8 +37,10 @@ int set_up(lua_State* L) {
   set_module_folder(L, ".");
   open_threads(L);
   seed_library_random(L);
+  if (session(L).sandbox) keep_safe_libraries(L);
   bind_all(L);
   open_strict(L);
+  set_resting_hook(L);
   return 0;
 }
 
@@ -62,6 +67,16 @@ int require_global(lua_State* L) {
   return 0;
 }
 
+/// A lone function or module of meander tells what it is.
+bool push_record_line(lua_State* L) {
+  const bool alone = lua_gettop(L) == 1 && (lua_isfunction(L, 1) || is_module(L, 1));
+  const Record* record = alone ? record_of(L, 1) : nullptr;
+  if (!record) return false;
+  const char* more = record->kind == DocKind::module ? " help(...) lists it." : "";
+  lua_pushfstring(L, "%s  %s%s", record->signature().c_str(), record->text.c_str(), more);
+  return true;
+}
+
 /// The values as text. The first one, unless it is nil, becomes `_`.
 int echo_values(lua_State* L) {
   const int count = lua_gettop(L);
@@ -69,6 +84,7 @@ int echo_values(lua_State* L) {
     lua_pushvalue(L, 1);
     lua_setglobal(L, "_");
   }
+  if (push_record_line(L)) return 1;
   lua_getglobal(L, "require");
   lua_pushliteral(L, "meander.pretty");
   lua_call(L, 1, 1);
@@ -79,10 +95,27 @@ int echo_values(lua_State* L) {
   return 1;
 }
 
+/// A script that was at its end has failed, whatever it made of the error.
+void judge(const Sandbox& sandbox, Outcome& outcome) {
+  const std::string verdict = sandbox.verdict();
+  if (outcome.message.ends_with("not enough memory"))
+    outcome.message += fmt::format(" (sandbox: {} MiB)", sandbox.options().memory);
+  if (verdict.empty()) return;
+  outcome.kind = Outcome::Kind::failed;
+  outcome.exit_code = sandbox.exit_code();
+  if (!outcome.message.ends_with(verdict)) outcome.message = verdict;
+}
+
+/// Nothing else can fail outside of a protected call.
+int out_of_memory(lua_State*) { throw Error("sandbox: not enough memory"); }
+
 }  // namespace
 
-Interpreter::Interpreter(const InterpreterOptions& options) : L_(luaL_newstate()) {
+Interpreter::Interpreter(const InterpreterOptions& options) {
+  if (options.sandbox) session_.sandbox = std::make_shared<Sandbox>(*options.sandbox);
+  L_ = session_.sandbox ? lua_newstate(Sandbox::allocate, session_.sandbox.get()) : luaL_newstate();
   if (!L_) throw std::bad_alloc();
+  if (session_.sandbox) lua_atpanic(L_, out_of_memory);
   attach(L_, session_);
   lua_pushcfunction(L_, set_up);
   lua_pushlstring(L_, options.lua_dir.data(), options.lua_dir.size());
@@ -142,6 +175,7 @@ Outcome Interpreter::run_loaded(int arguments, bool echo) {
   if (session_.progress) session_.progress(1, "");
   if (!done) outcome.kind = Outcome::Kind::failed;
   if (session_.stop.requested()) outcome.kind = Outcome::Kind::interrupted;
+  if (session_.sandbox) judge(*session_.sandbox, outcome);
   lua_settop(L_, first - 1);
   return outcome;
 }

@@ -17,9 +17,10 @@ namespace meander::script {
 struct Outcome : ErrorReport {
   enum class Kind { done, failed, interrupted };
   Kind kind = Kind::done;
-  std::string echo;        ///< of evaluate(): the values as text, empty where there are none
-  bool value = false;      ///< of evaluate(): an expression
-  bool statement = false;  ///< of evaluate(): could stand alone in a script; a call is both
+  std::string echo;              ///< of evaluate(): the values as text, empty where there are none
+  std::optional<int> exit_code;  ///< that os.exit asked for in a sandbox
+  bool value = false;            ///< of evaluate(): an expression
+  bool statement = false;        ///< of evaluate(): could stand alone in a script; a call is both
 
   bool done() const { return kind == Kind::done; }
 };
@@ -35,6 +36,9 @@ struct InterpreterOptions {
 /// The first Ctrl-C ends what runs, with three exceptions where Lua runs no hooks: a message handler or a finalizer
 /// that loops, and one long call into Lua's C library (a pattern, string.rep). The second one leaves the program at
 /// once.
+///
+/// In a sandbox: libraries without what reaches other programs and files, texts only, limits of memory, instructions
+/// and output. What protects the process is the program's to set up.
 class Interpreter {
  public:
   explicit Interpreter(const InterpreterOptions& options = {});
@@ -74,7 +78,7 @@ class Interpreter {
   int push_arguments();
 
   Session session_;
-  lua_State* L_;
+  lua_State* L_ = nullptr;
 };
 
 }  // namespace meander::script

@@ -6,6 +6,7 @@
 
 #include <new>
 
+#include "script/sandbox_state.hpp"
 #include "script/session.hpp"
 
 namespace meander::script {
@@ -91,6 +92,7 @@ void account(lua_State* L, std::size_t bytes) {
   if (debt < kSmall) return;
   const std::size_t kilobytes = std::min<std::size_t>(debt / 1024, 1 << 20);
   debt = 0;
+  if (session(L).sandbox) session(L).sandbox->measure(L);
   if (lua_gc(L, LUA_GCISRUNNING)) lua_gc(L, LUA_GCSTEP, static_cast<int>(kilobytes));
 }
 

@@ -12,6 +12,9 @@
 #include <csignal>
 #include <string_view>
 
+#include "script/sandbox_state.hpp"
+#include "script/session.hpp"
+
 namespace meander::script {
 namespace {
 
@@ -19,6 +22,7 @@ namespace {
 std::atomic<StopToken*> current_stop{nullptr};
 std::atomic<lua_State*> main_state{nullptr};
 std::atomic<lua_State*> running_state{nullptr};
+std::atomic<const char*> farewell{nullptr};
 pthread_t main_thread;
 termios terminal_at_start;
 bool terminal_known = false;
@@ -30,10 +34,8 @@ bool stopping() {
 }
 
 void raise_interrupt(lua_State* L, lua_Debug* activation) {
-  if (!stopping()) return lua_sethook(L, nullptr, 0, 0);
-  lua_getinfo(L, "Sl", activation);
-  lua_pushfstring(L, "%s:%d: interrupted", activation->short_src, activation->currentline);
-  lua_error(L);
+  if (!stopping()) return set_resting_hook(L);
+  raise_stop(L, activation);
 }
 
 /// Counting single instructions is the only mask that is safe here: call and return hooks would also fire inside the
@@ -42,12 +44,8 @@ void hook(lua_State* L) {
   if (L) lua_sethook(L, raise_interrupt, LUA_MASKCOUNT, 1);
 }
 
-[[noreturn]] void leave_at_once() {
-  if (terminal_known) tcsetattr(STDIN_FILENO, TCSANOW, &terminal_at_start);
-  constexpr std::string_view kText = "\ninterrupted twice: left at once\n";  // behind the "^C" of a terminal
-  const std::string_view text = kText.substr(terminal_known ? 0 : 1);
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
-  _exit(128 + SIGINT);
+void write_now(int descriptor, std::string_view text) {
+  [[maybe_unused]] const ssize_t written = ::write(descriptor, text.data(), text.size());
 }
 
 void on_interrupt(int signal) {
@@ -55,10 +53,9 @@ void on_interrupt(int signal) {
   if (!pthread_equal(pthread_self(), main_thread)) {
     pthread_kill(main_thread, signal);  // a Lua state may be hooked only by the thread that runs it
   } else if (StopToken* stop = current_stop.load()) {
-    if (stop->requested()) leave_at_once();
-    stop->request();
-    hook(main_state.load());
-    hook(running_state.load());
+    constexpr std::string_view kText = "\ninterrupted twice: left at once\n";  // behind the "^C" of a terminal
+    if (stop->requested()) leave_at_once(kText.substr(terminal_known ? 0 : 1), 128 + SIGINT);
+    stop_running();
   }
   errno = saved_errno;
 }
@@ -90,7 +87,7 @@ InterruptScope::~InterruptScope() {
   current_stop = nullptr;
   running_state = nullptr;
   main_state = nullptr;
-  lua_sethook(main_, nullptr, 0, 0);
+  set_resting_hook(main_);
   stop_.clear();
 }
 
@@ -99,6 +96,33 @@ void release_interrupt_signal() {
   sigaction(SIGINT, nullptr, &action);
   if (action.sa_handler == on_interrupt) std::signal(SIGINT, SIG_DFL);
   installed = false;
+}
+
+void set_farewell(const char* text) { farewell = text; }
+
+void stop_running() {
+  StopToken* stop = current_stop.load();
+  if (!stop) return;
+  stop->request();
+  hook(main_state.load());
+  hook(running_state.load());
+}
+
+bool script_runs() { return current_stop.load() != nullptr; }
+
+void raise_stop(lua_State* L, lua_Debug* activation) {
+  const std::string verdict = session(L).sandbox ? session(L).sandbox->verdict() : std::string();
+  lua_getinfo(L, "Sl", activation);
+  lua_pushfstring(L, "%s:%d: %s", activation->short_src, activation->currentline,
+                  verdict.empty() ? kInterrupted : verdict.c_str());
+  lua_error(L);
+}
+
+void leave_at_once(std::string_view last_words, int code) {
+  if (const char* text = farewell.load()) write_now(STDOUT_FILENO, text);
+  if (terminal_known) tcsetattr(STDIN_FILENO, TCSANOW, &terminal_at_start);
+  write_now(STDERR_FILENO, last_words);
+  _exit(code);
 }
 
 RunningThread::RunningThread(lua_State* thread, lua_State* from) : from_(from) {

@@ -3,6 +3,8 @@
 #pragma once
 #include <lua.h>
 
+#include <string_view>
+
 #include "base/work.hpp"
 
 namespace meander::script {
@@ -26,6 +28,19 @@ class InterruptScope {
 /// Between two scopes SIGINT does nothing, so that a late key press cannot end the program on the way to the prompt.
 /// After this it ends the process again.
 void release_interrupt_signal();
+
+/// What the program writes to standard output when it is left at once, so that the terminal is usable; null for
+/// nothing. The text must live on.
+void set_farewell(const char* text);
+
+/// Stops what runs now as the first SIGINT does. A signal handler of the main thread may call it.
+void stop_running();
+/// An InterruptScope lives.
+bool script_runs();
+/// Raises the error of a stop, as the hook does that a stop sets.
+void raise_stop(lua_State* L, lua_Debug* activation);
+/// Ends the process with the terminal restored. For signal handlers.
+[[noreturn]] void leave_at_once(std::string_view last_words, int code);
 
 /// Marks `thread` as the coroutine that runs until the end of the scope, resumed by `from`. Hooks are per coroutine in
 /// Lua: an interrupt that is on its way is handed on to `thread` at the start and back to `from` at the end.

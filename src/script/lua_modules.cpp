@@ -5,17 +5,23 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/names.hpp"
+#include "script/file_access.hpp"
 #include "script/lua_embedded.hpp"
 #include "script/lua_setup.hpp"
+#include "script/sandbox_state.hpp"
+#include "script/session.hpp"
 
 namespace meander::script {
 namespace {
 
 constexpr std::string_view kPrefix = "meander.";
+/// Of the table `package` in the registry: a sandbox has no global of this name.
+constexpr const char* kPackage = "meander.package";
 
 int not_found(lua_State* L, const std::string& where) {
   if (where.empty()) return 0;
@@ -45,6 +51,17 @@ std::string near_module(const std::string& name) {
   return did_you_mean(full, names);
 }
 
+/// The path to read a module of the user from, if it is there and may be read.
+std::optional<std::string> readable_module(lua_State* L, const std::string& name) {
+  try {
+    std::string path = path_to_read(L, name);
+    std::error_code failed;
+    if (std::filesystem::is_regular_file(path, failed)) return path;
+  } catch (const Error&) {
+  }
+  return std::nullopt;
+}
+
 int search_embedded(lua_State* L) {
   const std::string name = luaL_checkstring(L, 1);
   for (const EmbeddedModule& module : embedded_modules()) {
@@ -57,10 +74,31 @@ int search_embedded(lua_State* L) {
   return not_found(L, "no module in the program" + near_module(name));
 }
 
+/// Searcher of a sandbox: Lua files beside the script, then in the folder of the sandbox, as far as they may be read.
+int search_confined(lua_State* L) {
+  std::string name = luaL_checkstring(L, 1);
+  std::replace(name.begin(), name.end(), '.', '/');
+  lua_getfield(L, LUA_REGISTRYINDEX, kPackage);
+  lua_getfield(L, -1, "folder");
+  const std::filesystem::path beside = lua_tostring(L, -1);
+  for (const auto& folder : {std::filesystem::absolute(beside), session(L).sandbox->folder()}) {
+    for (const char* suffix : {".lua", "/init.lua"}) {
+      const auto path = readable_module(L, (folder / (name + suffix)).string());
+      if (!path) continue;
+      if (luaL_loadfilex(L, path->c_str(), "t") != LUA_OK) return lua_error(L);
+      lua_pushlstring(L, path->data(), path->size());
+      return 2;
+    }
+  }
+  return not_found(L, "no file '" + name + ".lua' in the folder of the sandbox");
+}
+
 }  // namespace
 
 void open_modules(lua_State* L, const std::string& lua_dir) {
   lua_getglobal(L, "package");
+  lua_pushvalue(L, -1);
+  lua_setfield(L, LUA_REGISTRYINDEX, kPackage);
   lua_getfield(L, -1, "searchers");  // preload, Lua files, C libraries, C libraries all in one
   lua_createtable(L, 4, 0);
   int count = 0;
@@ -74,7 +112,10 @@ void open_modules(lua_State* L, const std::string& lua_dir) {
   }
   lua_pushcfunction(L, search_embedded);
   add();
-  lua_rawgeti(L, -2, 2);
+  if (session(L).sandbox)
+    lua_pushcfunction(L, search_confined);
+  else
+    lua_rawgeti(L, -2, 2);
   add();
   lua_setfield(L, -3, "searchers");
   lua_pushliteral(L, "");
@@ -86,7 +127,9 @@ void open_modules(lua_State* L, const std::string& lua_dir) {
 
 void set_module_folder(lua_State* L, const std::string& folder) {
   const std::string path = folder + "/?.lua;" + folder + "/?/init.lua";
-  lua_getglobal(L, "package");
+  lua_getfield(L, LUA_REGISTRYINDEX, kPackage);
+  lua_pushlstring(L, folder.data(), folder.size());
+  lua_setfield(L, -2, "folder");
   lua_pushlstring(L, path.data(), path.size());
   lua_setfield(L, -2, "path");
   lua_pop(L, 1);

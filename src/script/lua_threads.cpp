@@ -5,6 +5,7 @@
 
 #include "script/lua_interrupt.hpp"
 #include "script/lua_setup.hpp"
+#include "script/sandbox_state.hpp"
 #include "script/session.hpp"
 
 namespace meander::script {
@@ -35,6 +36,7 @@ int run_thread(lua_State* L, lua_State* thread, int count) {
     return -1;
   }
   if (!lua_checkstack(thread, count)) return lua_pushliteral(L, "too many arguments to resume"), -1;
+  if (lua_status(thread) == LUA_OK) charge_coroutine(L);
   lua_xmove(L, thread, count);
   int results = 0;
   const RunningThread running(thread, L);

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "script/sandbox_state.hpp"
+
 namespace meander::script {
 namespace {
 
@@ -43,6 +45,7 @@ Work work_of(lua_State* L) {
 }
 
 void write(lua_State* L, std::string_view text) {
+  if (const auto& sandbox = session(L).sandbox) sandbox->charge_output(text.size());
   if (const auto& out = session(L).write)
     out(text);
   else

@@ -101,7 +101,9 @@ Imported import_ros_map(const std::string& yaml_path, const RosMapOptions& optio
   validate(options.trace);
   const RosMapFile file = ros_map_file(read_text_file(yaml_path, kLargestYaml), yaml_path);
   const std::filesystem::path folder = std::filesystem::path(yaml_path).parent_path();
-  const Image image = read_image((folder / file.image).string());
+  const std::string image_path = (folder / file.image).string();
+  if (options.opens) options.opens(image_path);
+  const Image image = read_image(image_path);
   Counts counts;
   const Grid<std::uint8_t> solid = solid_cells(file, image, options, counts);
   std::vector<std::string> report{fmt::format("{}: {}", printable(file.image), size_text(solid))};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include <functional>
+
 #include "geometry/pose.hpp"
 #include "grid/image_file.hpp"
 #include "world/import_result.hpp"
@@ -36,6 +38,7 @@ struct RosMapOptions {
   Unknown unknown = Unknown::automatic;
   RosConvention convention = RosConvention::nav2;
   TraceOptions trace;
+  std::function<void(const std::string& path)> opens{};  ///< told of the image before it is opened; may throw
 };
 
 /// The YAML file of map_server.

@@ -20,7 +20,7 @@ Imported from_toml(const std::string& path, const ImportOptions&, const Work& wo
 }
 
 Imported from_ros_map(const std::string& path, const ImportOptions& o, const Work& work) {
-  return import_ros_map(path, {o.unknown, o.convention, trace_options(o)}, work);
+  return import_ros_map(path, {o.unknown, o.convention, trace_options(o), o.opens}, work);
 }
 
 Imported from_picture(const std::string& path, const ImportOptions& o, const Work& work) {

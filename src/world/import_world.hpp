@@ -17,6 +17,7 @@ struct ImportOptions {
   int index = BarnOptions{}.index;
   double epsilon = TraceOptions{}.epsilon;
   double min_area = TraceOptions{}.min_area;
+  std::function<void(const std::string& path)> opens{};  ///< told of a file that the one read names; may throw
 };
 
 template <class Options, class Visitor>
