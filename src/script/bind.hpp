@@ -9,6 +9,7 @@ namespace meander::script {
 void bind_world(lua_State* L);
 void bind_world_edit(lua_State* L);
 void bind_world_module(lua_State* L);
+void bind_world_generate(lua_State* L);
 void bind_thing(lua_State* L);
 void bind_numbers(lua_State* L);
 void bind_matrix(lua_State* L);

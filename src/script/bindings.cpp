@@ -11,6 +11,7 @@ void bind_all(lua_State* L) {
   bind_world(L);
   bind_world_edit(L);
   bind_world_module(L);
+  bind_world_generate(L);
   bind_thing(L);
   bind_numbers(L);
   bind_matrix(L);

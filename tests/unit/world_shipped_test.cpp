@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedWorld, testing::ValuesIn(shipped_names()),
 
 TEST(ShippedWorlds, AreAllThere) {
   const auto names = shipped_names();
-  for (const char* name : {"clutter", "four_targets", "l_corner", "lab", "maze", "office", "u_trap"})
+  for (const char* name : {"clutter", "doors", "four_targets", "l_corner", "lab", "large_u", "maze", "office", "people", "u_trap"})
     EXPECT_TRUE(std::binary_search(names.begin(), names.end(), name)) << name;
 }
 
@@ -155,7 +155,7 @@ TEST(ShippedWorlds, TheLabHasTwoPeopleAndADoor) {
 }
 
 TEST(ShippedWorlds, ObstaclesStandInTheStraightWay) {
-  for (const char* name : {"u_trap", "l_corner"}) {
+  for (const char* name : {"u_trap", "l_corner", "large_u"}) {
     const World world = shipped(name);
     EXPECT_FALSE(straight_way(world, world.header().start->position(), place(world, "goal"))) << name;
   }
