@@ -5,12 +5,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <string_view>
 
+#include "app/options.hpp"
 #include "app/subcommands.hpp"
-#include "base/names.hpp"
 
 namespace meander {
 namespace {
@@ -19,7 +20,22 @@ constexpr const char* kFooter = R"(
 FILE and everything behind it belong to the script: its arguments are in the table 'arg' and in '...'. A lone - reads the
 script from standard input, and so does a call without FILE when standard input is not a terminal.
 
-Exit codes: 0 done, 1 error in a script, 2 error on the command line, 130 interrupted.)";
+Exit codes: )";
+
+constexpr std::array kExitCodes = {
+    ExitCode{kExitOk, "done"},
+    ExitCode{kExitScriptError, "error in a script"},
+    ExitCode{kExitUsage, "error on the command line"},
+    ExitCode{kExitTestFailed, "a test failed"},
+    ExitCode{kExitInterrupted, "interrupted"},
+};
+
+std::string footer() {
+  std::string text;
+  for (const ExitCode& code : kExitCodes)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", code.code, code.text);
+  return kFooter + text + ".";
+}
 
 struct Formatter : CLI::Formatter {
   std::string make_usage(const CLI::App*, std::string) const override {
@@ -38,56 +54,20 @@ int usage_error(const std::string& message) {
   return kExitUsage;
 }
 
-std::vector<std::string> option_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-  }
-  return names;
-}
-
 /// What stands behind the options: the script and its arguments, or something that looked like an option.
 std::optional<int> take_script(const CLI::App& app, std::vector<std::string> rest, CommandLine& line) {
   const bool separated = !rest.empty() && rest[0] == "--";
   if (separated) rest.erase(rest.begin());
   if (rest.empty()) return std::nullopt;
-  if (!separated && rest[0].size() > 1 && rest[0][0] == '-') {
-    const std::string name = rest[0].substr(0, rest[0].find('='));
-    const std::string hint = name.size() > 2 ? did_you_mean(name, option_names(app)) : std::string();
-    return usage_error(fmt::format("unknown option '{}'{}", name, hint));
-  }
+  if (!separated && rest[0].size() > 1 && rest[0][0] == '-') return usage_error(unknown_option(app, rest[0]));
   line.script = rest[0];
   line.arguments.assign(rest.begin() + 1, rest.end());
   return std::nullopt;
 }
 
-/// --sandbox, and --sandbox-NAME for each of its limits, which imply it.
-void add_sandbox_options(CLI::App& app, CommandLine& line) {
-  const auto wanted = [&line]() -> script::SandboxOptions& {
-    return line.sandbox ? *line.sandbox : line.sandbox.emplace();
-  };
-  app.add_flag_callback("--sandbox", wanted, "run a script of somebody else within limits");
-  script::SandboxOptions standard;
-  fields(standard, [&]<class T>(const Field& field, const T& value) {
-    const auto set = [wanted, name = std::string_view(field.name)](const T& given) {
-      fields(wanted(), [&]<class U>(const Field& other, U& member) {
-        if constexpr (std::is_same_v<T, U>)
-          if (name == other.name) member = given;
-      });
-    };
-    const std::string unit = *field.unit ? fmt::format(" [{}]", field.unit) : "";
-    app.add_option_function<T>(fmt::format("--sandbox-{}", field.name), set, field.doc + unit)
-        ->default_str(fmt::format("{}", value));
-  });
-}
-
-}  // namespace
-
-std::optional<int> parse_command_line(int argc, char** argv, CommandLine& line) {
-  CLI::App app("meander: a laboratory for sonar navigation in a terminal", "meander");
+void add_options(CLI::App& app, CommandLine& line) {
   app.formatter(std::make_shared<Formatter>());
-  app.footer(kFooter);
+  app.footer(footer());
   app.set_help_flag("-h,--help", "this text");
   app.set_version_flag("--version", "meander " MEANDER_VERSION, "the version");
   app.add_option("-e", line.code, "run CODE; may be repeated")->type_name("CODE")->allow_extra_args(false);
@@ -98,8 +78,33 @@ std::optional<int> parse_command_line(int argc, char** argv, CommandLine& line) 
   app.add_flag("--no-rc", line.no_rc, "at the prompt, skip the start-up file $XDG_CONFIG_HOME/meander/init.lua");
   app.add_option("--lua-dir", line.lua_dir, "use the Lua modules of DIR instead of those inside the program")
       ->type_name("DIR");
-  add_sandbox_options(app, line);
+  add_sandbox_options(app, line.sandbox);
   app.prefix_command();
+}
+
+}  // namespace
+
+std::span<const ExitCode> exit_codes() { return kExitCodes; }
+
+std::vector<OptionText> option_texts() {
+  CommandLine line;
+  CLI::App app;
+  add_options(app, line);
+  std::vector<OptionText> texts;
+  for (const CLI::Option* option : app.get_options()) {
+    std::string form = option->get_name(false, true);
+    for (std::size_t at = form.find(','); at != std::string::npos; at = form.find(',', at + 2))
+      form.insert(at + 1, " ");
+    if (!option->get_type_name().empty()) form += " " + option->get_type_name();
+    const std::string standard = option->get_default_str();
+    texts.push_back({form, option->get_description() + (standard.empty() ? "" : " (" + standard + ")")});
+  }
+  return texts;
+}
+
+std::optional<int> parse_command_line(int argc, char** argv, CommandLine& line) {
+  CLI::App app("meander: a laboratory for sonar navigation in a terminal", "meander");
+  add_options(app, line);
   try {
     app.parse(argc, argv);
     if (line.sandbox) validate(*line.sandbox, "--sandbox-");

@@ -25,6 +25,7 @@ const Subcommand* find_subcommand(std::string_view name);
 
 // One file each: <name>_command.cpp.
 int convert_command(const CommandLine& line);
+int doc_command(const CommandLine& line);
 int test_command(const CommandLine& line);
 
 }  // namespace meander

@@ -8,6 +8,8 @@
 #include <cctype>
 #include <set>
 
+#include "script/example_lines.hpp"
+
 namespace meander::script {
 namespace {
 
@@ -17,17 +19,9 @@ std::string quoted_list(const std::vector<std::string>& values) {
   return text;
 }
 
-/// "number [m]", "'a' | 'b', or table of options".
+/// "number [m]", "'a' | 'b' or table of options".
 std::string type_text(const std::string& type, const std::string& unit, const std::vector<std::string>& values) {
-  const bool plain = values.empty() || type.find('\'') != std::string::npos;
-  return (plain ? type : quoted_list(values) + ", or table of options") + (unit.empty() ? "" : " [" + unit + "]");
-}
-
-/// Tells two tables of options apart: by their name and those of their keys.
-std::string shape_of(const OptionDoc& option) {
-  std::string shape = option.name;
-  for (const OptionDoc& inner : option.options) shape += " " + inner.name;
-  return shape;
+  return type_in_words(type, values) + (unit.empty() ? "" : " [" + unit + "]");
 }
 
 /// Nested tables that were told already (`shown`) are not told again.
@@ -87,6 +81,18 @@ std::string record_line(const Record& record, std::size_t width) {
 
 }  // namespace
 
+std::string type_in_words(const std::string& type, const std::vector<std::string>& values) {
+  constexpr std::string_view kName = "name";
+  if (values.empty() || !type.starts_with(kName)) return type;
+  return quoted_list(values) + type.substr(kName.size());
+}
+
+std::string shape_of(const OptionDoc& option) {
+  std::string shape = option.name;
+  for (const OptionDoc& inner : option.options) shape += " " + inner.name;
+  return shape;
+}
+
 std::string list_text(const std::vector<const Record*>& records) {
   const std::size_t width = signature_width(records);
   std::string text;
@@ -122,7 +128,7 @@ std::string help_text(const Docs& docs, const Record& record) {
   if (record.settable) text += "  can be set\n";
   if (!record.errors.empty()) text += "  fails on  " + record.errors + "\n";
   if (record.kind == DocKind::module || record.kind == DocKind::type) text += list_text(docs.members(record.name()));
-  if (!record.example.empty()) text += "  example  " + record.example + "\n";
+  if (!record.example.empty()) text += "  example\n    " + indented(example_lines(record.example), "    ") + "\n";
   return text;
 }
 

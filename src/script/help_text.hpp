@@ -18,6 +18,11 @@ std::string list_text(const std::vector<const Record*>& records);
 /// Everything whose name, text or options contain the word, whatever its case; empty where there is nothing.
 std::string apropos_text(const Docs& docs, std::string_view word);
 
+/// A type in which "name" is replaced by the names there are: "'a' | 'b' or table of options".
+std::string type_in_words(const std::string& type, const std::vector<std::string>& values);
+/// Tells two tables of options apart: by their name and those of their keys.
+std::string shape_of(const OptionDoc& option);
+
 /// By full name, or by the name without "meander." in front.
 const Record* find_record(const Docs& docs, std::string_view name);
 std::vector<std::string> record_names(const Docs& docs);

@@ -21,6 +21,18 @@ local function blocks(path)
   return list
 end
 
+-- Blocks may write to files named by os.tmpname, with suffixes of their own: those are removed at the end.
+local temporary, tmpname = {}, os.tmpname
+os.tmpname = function()
+  temporary[#temporary + 1] = tmpname()
+  return temporary[#temporary]
+end
+local function remove_temporary()
+  for _, name in ipairs(temporary) do
+    for _, suffix in ipairs { "", ".csv", ".jsonl", ".pgm", ".png", ".svg", ".toml", ".yaml" } do os.remove(name .. suffix) end
+  end
+end
+
 for _, path in ipairs(arg) do
   for _, block in ipairs(blocks(path)) do
     -- Lines before the block keep their number, so that a message points into the page.
@@ -35,5 +47,6 @@ for _, path in ipairs(arg) do
   end
 end
 
+remove_temporary()
 print(("%d passed, %d failed"):format(ran - failed, failed))
 os.exit(failed == 0 and 0 or 1, true)

@@ -125,7 +125,7 @@ TEST_F(Api, HelpOfAFunctionTellsOptionsUnitsAndValues) {
   // The bumper's defaults are those of the platform; tables under `robots` are not told again.
   for (const char* part : {"20 when left out", "0.2667 when left out", "its keys as above"})
     EXPECT_NE(written_.find(part), std::string::npos) << part << "\n" << written_;
-  EXPECT_LT(std::count(written_.begin(), written_.end(), '\n'), 65);
+  EXPECT_LT(std::count(written_.begin(), written_.end(), '\n'), 70);
   written_.clear();
   run("apropos 'noise'");
   for (const char* part : {"meander.sim.new { options }", "\n      drift.distance_noise  ", "\n      sonar.noise  "})
