@@ -24,6 +24,7 @@ std::vector<std::string> subcommand_names();
 const Subcommand* find_subcommand(std::string_view name);
 
 // One file each: <name>_command.cpp.
+int completion_command(const CommandLine& line);
 int convert_command(const CommandLine& line);
 int doc_command(const CommandLine& line);
 int test_command(const CommandLine& line);
