@@ -14,9 +14,26 @@ end
 
 local escapes = { ["\n"] = "\\n", ["\t"] = "\\t", ["\r"] = "\\r", ["\\"] = "\\\\", ['"'] = '\\"' }
 
+local function numbered(bytes)
+  return (bytes:gsub(".", function(c) return ("\\%03d"):format(c:byte()) end))
+end
+
+-- What a terminal could take for a command is written as Lua escapes: control characters but line end and tab, those
+-- of two bytes as well, and every high byte of a text that is not UTF-8.
+local function harmless(text)
+  if not utf8.len(text) then text = text:gsub("[\128-\255]", numbered) end
+  return (text:gsub("[\0-\8\11-\31\127]", numbered):gsub("\194[\128-\159]", numbered))
+end
+
+-- The first bytes of a text, up to the end of a character.
+local function beginning(text, most)
+  while most > 0 and (text:byte(most + 1) or 0) & 0xc0 == 0x80 do most = most - 1 end
+  return text:sub(1, most)
+end
+
 local function quoted(text)
-  local shown = #text > limits.text and text:sub(1, limits.text) or text
-  shown = shown:gsub('[%c"\\\127]', function(c) return escapes[c] or ("\\%03d"):format(c:byte()) end)
+  local shown = #text > limits.text and beginning(text, limits.text) or text
+  shown = harmless(shown:gsub('[\n\t\r\\"]', escapes))
   return '"' .. shown .. '"' .. (#text > limits.text and ("... (%d bytes)"):format(#text) or "")
 end
 
@@ -81,9 +98,9 @@ end
 function show(value, state, depth)
   if type(value) == "string" then return quoted(value) end
   if type(value) == "function" then return function_text(value) end
-  if type(value) ~= "table" then return tostring(value) end
+  if type(value) ~= "table" then return harmless(tostring(value)) end
   local meta = getmetatable(value)
-  if type(meta) == "table" and rawget(meta, "__tostring") then return tostring(value) end
+  if type(meta) == "table" and rawget(meta, "__tostring") then return harmless(tostring(value)) end
   return table_text(value, state, depth)
 end
 
@@ -95,7 +112,8 @@ function pretty.echo(...)
   local texts = table.pack(...)
   for i = 1, texts.n do
     local value = texts[i]
-    texts[i] = type(value) == "string" and value:find("\n", 1, true) and value:gsub("\n$", "") or pretty.text(value)
+    local stands = type(value) == "string" and value:find("\n", 1, true)
+    texts[i] = stands and harmless(value:gsub("\n$", "")) or pretty.text(value)
   end
   return table.concat(texts, "  ", 1, texts.n)
 end

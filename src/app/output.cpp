@@ -13,6 +13,7 @@
 #include <cstring>
 
 #include "app/command_line.hpp"
+#include "base/visible_text.hpp"
 
 namespace meander {
 namespace {
@@ -50,7 +51,7 @@ void guard_output() {
 
 void complain(const std::string& text) {
   std::fflush(stdout);
-  fmt::print(stderr, "meander: {}\n", text);
+  fmt::print(stderr, "meander: {}\n", visible_text(text));
 }
 
 }  // namespace meander

@@ -19,6 +19,7 @@ struct CommandHelp {
 
 constexpr std::array kCommands = {
     CommandHelp{".help", "", "this text"},
+    CommandHelp{".edit", "[FILE]", "change the last input, or a script, in $VISUAL or $EDITOR, and run it"},
     CommandHelp{".load", "FILE", "run a script here; its globals stay"},
     CommandHelp{".save", "FILE", "write what was typed and worked as a script"},
     CommandHelp{".timer", "on|off", "tell how long each input took"},
@@ -58,6 +59,33 @@ std::vector<std::string> command_names() {
   std::vector<std::string> names;
   for (const CommandHelp& command : kCommands) names.emplace_back(command.name);
   return names;
+}
+
+bool starts_command(std::string_view line) { return trimmed(line).starts_with('.'); }
+
+script::Completion complete_command(std::string_view line) {
+  const std::size_t start = line.find_last_of(" \t") + 1;
+  script::Completion completion{.start = start};
+  const std::string name = split_command(line).name;
+  const bool names_command = trimmed(line.substr(0, start)).empty();
+  if (names_command) completion.words = command_names();
+  if (!names_command && name == ".timer") completion.words = {"off", "on"};
+  completion.file_name = !names_command && (name == ".load" || name == ".save" || name == ".edit");
+  std::erase_if(completion.words, [&](const std::string& word) { return !word.starts_with(line.substr(start)); });
+  return completion;
+}
+
+std::string word_hint(std::string_view input, bool failed) {
+  constexpr std::array kLeaving = {"exit", "quit", "bye", "q", "logout"};
+  constexpr std::array kShell = {"ls", "dir", "pwd", "cd", "cat", "clear", "cls"};
+  if (trimmed(input) == "help") return "help() tells what there is, help(x) what x is, .help the keys";
+  std::string_view word = trimmed(input);
+  if (word.ends_with("()")) word.remove_suffix(2);
+  const auto is_one_of = [&](const auto& words) { return std::find(words.begin(), words.end(), word) != words.end(); };
+  if (!failed) return {};
+  if (is_one_of(kLeaving)) return ".quit or Ctrl-D leaves";
+  if (is_one_of(kShell)) return "this is Lua, not a shell; Tab inside quotes completes names of files";
+  return {};
 }
 
 std::string command_help() {

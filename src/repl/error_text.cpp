@@ -4,6 +4,8 @@
 
 #include <string_view>
 
+#include "base/visible_text.hpp"
+
 namespace meander::repl {
 namespace {
 
@@ -27,12 +29,12 @@ std::string error_text(const script::Outcome& outcome, const std::string& input)
   shown.message = without_prompt_position(outcome.message, one_line);
   if (outcome.kind == script::Outcome::Kind::interrupted) {
     const bool tells_where = outcome.message.ends_with(": interrupted") && !outcome.message.starts_with(kTyped);
-    return tells_where ? outcome.message : "interrupted";
+    return tells_where ? visible_text(outcome.message) : "interrupted";
   }
   for (const std::string& frame : outcome.trace)
     if (!says_only_typed(frame)) shown.trace.push_back(without_prompt_position(frame, one_line));
   if (shown.trace.size() < 2) shown.trace.clear();
-  return text_of(shown);
+  return visible_text(text_of(shown));
 }
 
 bool declares_lost_local(const std::string& input) {

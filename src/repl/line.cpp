@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <clocale>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -18,12 +19,13 @@
 #include <readline/history.h>
 #include <readline/readline.h>
 
+#include "base/data_folder.hpp"
 #include "repl/history.hpp"
 
 namespace meander::repl {
 namespace {
 
-constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGWINCH};
+constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGWINCH, SIGQUIT};
 
 // readline calls back without a context of ours.
 LineEditor::Completer completer;
@@ -96,7 +98,7 @@ void obey(int signal) {
   rl_forced_update_display();
 }
 
-/// True when the line is given up.
+/// True when the line is given up. SIGQUIT (Ctrl-\) means nothing here.
 bool act_on_signals() {
   if (take_signal(SIGWINCH)) rl_resize_terminal();
   for (const int signal : {SIGTERM, SIGHUP, SIGTSTP})
@@ -127,24 +129,98 @@ char** match_array(const std::vector<std::string>& words) {
   return matches;
 }
 
-char** complete_word(const char* text, int, int end) {
+/// File names as readline finds them, then those that only the data folder has.
+char* next_file_name(const char* text, int state) {
+  static std::vector<std::string> more;
+  if (state == 0) more = data_files(text);
+  if (char* name = rl_filename_completion_function(text, state)) return name;
+  while (!more.empty()) {
+    const std::string name = std::move(more.back());
+    more.pop_back();
+    if (access(name.c_str(), F_OK) != 0) return strdup(name.c_str());
+  }
+  return nullptr;
+}
+
+/// readline has an idea of its own where the word starts: what it lacks or has too much of the beginning.
+std::vector<std::string> words_from(std::size_t start, const script::Completion& completion) {
+  std::vector<std::string> words = completion.words;
+  for (std::string& word : words) {
+    if (start < completion.start) word.insert(0, rl_line_buffer + start, completion.start - start);
+    if (start > completion.start) word.erase(0, start - completion.start);
+  }
+  return words;
+}
+
+char** complete_word(const char* text, int start, int end) {
   rl_attempted_completion_over = 1;
   rl_completion_append_character = '\0';
   const script::Completion completion = completer(std::string_view(rl_line_buffer, static_cast<std::size_t>(end)));
-  if (!completion.file_name) return match_array(completion.words);
+  if (!completion.file_name) return match_array(words_from(static_cast<std::size_t>(start), completion));
   rl_filename_completion_desired = 1;
-  return rl_completion_matches(text, rl_filename_completion_function);
+  return rl_completion_matches(text, next_file_name);
+}
+
+/// The arguments of commands are words as in a shell.
+char* word_breaks() {
+  static char blanks[] = " \t";
+  return rl_line_buffer[std::strspn(rl_line_buffer, blanks)] == '.' ? blanks : nullptr;
+}
+
+bool more_keys_wait() {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  return poll(&input, 1, 0) > 0;
+}
+
+/// The terminal says where a paste begins and ends.
+bool marks_pastes() { return std::strcmp(rl_variable_value("enable-bracketed-paste"), "on") == 0; }
+
+/// Tab indents at the start of a line that goes on with another, and in a paste that comes as single keys.
+int complete_or_indent(int count, int key) {
+  const char* end = rl_line_buffer + rl_point;
+  const bool blank = std::all_of<const char*>(rl_line_buffer, end, [](char c) { return c == ' ' || c == '\t'; });
+  const bool continues = std::strcmp(rl_prompt, kContinuation) == 0;
+  const bool pasted = more_keys_wait() && !marks_pastes();
+  if ((blank && continues) || pasted) return rl_insert(count, key);
+  if (rl_last_func == complete_or_indent) rl_last_func = rl_complete;  // the second Tab in a row lists
+  return rl_complete(count, key);
+}
+
+/// Drawing anew for every key of a long paste would take the square of its length.
+void redisplay() {
+  constexpr int kLong = 1000;
+  if (rl_end < kLong || !more_keys_wait()) rl_redisplay();
+}
+
+int accept_line(int count, int key) {
+  rl_redisplay();
+  return rl_newline(count, key);
+}
+
+/// Without a locale readline would take the bytes of an umlaut for keys pressed with Meta.
+void expect_utf8() {
+  for (const char* variable : {"LC_ALL", "LC_CTYPE", "LANG"})
+    if (const char* value = std::getenv(variable); value && *value) return;
+  std::setlocale(LC_CTYPE, "C.UTF-8");
 }
 
 void set_up_readline() {
+  expect_utf8();
   rl_readline_name = "meander";
   rl_catch_signals = 0;
   rl_catch_sigwinch = 0;
   rl_attempted_completion_function = complete_word;
   rl_completer_word_break_characters = " \t\n\"'`$@><=;|&{}()[]+-*/%^~#,.:";
+  rl_completion_word_break_hook = word_breaks;
   rl_basic_quote_characters = "\"'";
   rl_completer_quote_characters = "\"'";
+  rl_variable_bind("show-all-if-ambiguous", "on");
+  rl_bind_key('\t', complete_or_indent);
+  rl_bind_key('\r', accept_line);
+  rl_bind_key('\n', accept_line);
   if (!isatty(STDOUT_FILENO)) rl_outstream = stderr;  // results go elsewhere: keep them free of prompts
+  rl_initialize();
+  if (!marks_pastes()) rl_redisplay_function = redisplay;  // readline marks none for those who draw themselves
 }
 
 }  // namespace
@@ -181,7 +257,7 @@ LineEnd LineEditor::read_terminal(const std::string& prompt, std::string& line) 
     if (!finished && act_on_signals()) return LineEnd::interrupted;
   }
   if (!entered) {
-    std::fputc('\n', rl_outstream);
+    if (!marks_pastes()) std::fputc('\n', rl_outstream);  // else readline did
     return LineEnd::end_of_input;
   }
   line = *entered;

@@ -10,6 +10,9 @@
 
 namespace meander::repl {
 
+inline constexpr const char* kPrompt = "> ";
+inline constexpr const char* kContinuation = ">> ";
+
 enum class LineEnd { entered, interrupted, end_of_input };
 
 /// Reads lines from the terminal with editing, history and completion, or plainly where standard input is none. The

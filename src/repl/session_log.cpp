@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "repl/session_log.hpp"
 
+#include <algorithm>
 #include <cctype>
 
 namespace meander::repl {
@@ -19,15 +20,43 @@ bool mentions_last_value(const std::string& text) {
   return false;
 }
 
+bool is_question(const SessionLog::Entry& entry) {
+  const auto end = std::find_if_not(entry.text.begin(), entry.text.end(), part_of_name);
+  const std::string first(entry.text.begin(), end);
+  return entry.value && (first == "help" || first == "apropos");
+}
+
+std::string as_comment(const std::string& text) {
+  std::string comment = "-- interrupted: ";
+  for (const char c : text) comment += c == '\n' ? std::string("\n--   ") : std::string(1, c);
+  return comment + "\n";
+}
+
 }  // namespace
+
+void SessionLog::add(Entry entry) {
+  if (!is_question(entry)) entries_.push_back(std::move(entry));
+}
+
+/// Is `_` read before the next value takes its place?
+bool SessionLog::last_value_used_after(std::size_t entry) const {
+  for (std::size_t i = entry + 1; i < entries_.size(); ++i) {
+    if (entries_[i].interrupted) continue;
+    if (mentions_last_value(entries_[i].text)) return true;
+    if (entries_[i].value) return false;
+  }
+  return false;
+}
 
 std::string SessionLog::script(const std::vector<std::string>& modules) const {
   std::string text;
   for (const std::string& module : modules) text += module + " = meander." + module + "\n";
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const Entry& entry = entries_[i];
-    const bool value_used = i + 1 < entries_.size() && mentions_last_value(entries_[i + 1].text);
-    if (value_used && entry.value)
+    const bool value_used = entry.value && last_value_used_after(i);
+    if (entry.interrupted)
+      text += as_comment(entry.text);
+    else if (value_used)
       text += "_ = " + entry.text + "\n";
     else if (entry.value && !entry.statement)
       text += "print(" + entry.text + ")\n";

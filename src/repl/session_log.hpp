@@ -6,21 +6,25 @@
 
 namespace meander::repl {
 
-/// The inputs of a session that worked, to be saved as a script that does the same again.
+/// The inputs of a session that worked, to be saved as a script that does the same again. Questions (help, apropos) do
+/// nothing. What was interrupted may have done a part: it is named in a comment.
 class SessionLog {
  public:
   struct Entry {
     std::string text;
-    bool value = false;      ///< an expression
-    bool statement = false;  ///< may stand alone in a script; a call is both
+    bool value = false;        ///< an expression
+    bool statement = false;    ///< may stand alone in a script; a call is both
+    bool interrupted = false;  ///< by Ctrl-C
   };
 
-  void add(Entry entry) { entries_.push_back(std::move(entry)); }
+  void add(Entry entry);
   bool empty() const { return entries_.empty(); }
   /// `modules` were used as plain names, which only the prompt knows: the script declares them first.
   std::string script(const std::vector<std::string>& modules) const;
 
  private:
+  bool last_value_used_after(std::size_t entry) const;
+
   std::vector<Entry> entries_;
 };
 

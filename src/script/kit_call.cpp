@@ -22,10 +22,13 @@ std::string script_position(lua_State* L) {
   return {};
 }
 
-/// The beginner's slip behind the problem, if it looks like one.
-const char* slip(lua_State* L, const Record& record, const std::string& problem) {
-  if (record.kind == DocKind::method && problem.starts_with("self: ") && problem.find("expected") != std::string::npos)
-    return " (call it with ':')";
+/// The beginner's slip behind the problem, if it looks like one. An object may have taken the name of its module.
+std::string slip(lua_State* L, const Record& record, const std::string& problem) {
+  if (record.kind == DocKind::method && problem.starts_with("self: ") &&
+      problem.find("expected") != std::string::npos) {
+    const Record* namesake = session(L).docs.find("meander." + record.owner + "." + record.member);
+    return namesake ? fmt::format(" (call it with ':', or {} of the module)", namesake->name()) : " (call it with ':')";
+  }
   if (record.kind == DocKind::function && is_module(L, 1)) return " (call it with '.')";
   return "";
 }

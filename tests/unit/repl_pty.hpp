@@ -25,6 +25,7 @@ class TemporaryFolder {
 };
 
 /// A program on a pseudo-terminal. Waits for texts, never for a time; whatever does not come within ten seconds throws.
+/// Escape sequences and bells are left out of the texts, so that they read alike on every kind of terminal.
 class Terminal {
  public:
   /// `main` becomes the whole child process, in `home`, with TERM=dumb unless `environment` says otherwise.
@@ -41,24 +42,44 @@ class Terminal {
   std::string enter(const std::string& line);
   /// Reads to the end: the exit code.
   int wait_for_exit();
+  /// Waits until the program is gone, whoever else may still use the terminal.
+  int wait_for_death();
+  /// Hangs up, as a terminal window does that is closed.
+  void hang_up();
+  void resize(int rows, int columns);
   /// Presses Ctrl-C again and again until the program ends: the exit code.
   int interrupt_until_exit();
+  /// The same in what came since the last wait of this kind, escape sequences included.
+  std::string wait_for_raw(const std::string& text);
+  /// Lets the program go on after Ctrl-Z.
+  void resume();
+  void kill_with(int signal);
   /// Line editing and echo are left to the terminal, as before the program ran.
   bool is_cooked() const;
-  /// Everything since the start.
-  const std::string& transcript() const { return transcript_; }
+  /// Everything since the start, without escape sequences and as it came.
+  const std::string& transcript() const { return text_; }
+  const std::string& raw_transcript() const { return raw_; }
 
  private:
   bool read_some(int milliseconds);
+  void add_plain();
+  int reap();
 
   int terminal_ = -1;
   pid_t child_ = -1;
-  std::string transcript_;
+  std::string raw_;
+  std::string text_;  ///< raw_ up to plain_to_, without escape sequences
+  std::size_t plain_to_ = 0;
   std::size_t seen_ = 0;
+  std::size_t raw_seen_ = 0;
   bool closed_ = false;
 };
 
 /// The built program with these arguments.
 std::function<int()> program(std::vector<std::string> arguments = {});
+/// A command of the shell, in which $MEANDER is the built program.
+std::function<int()> shell(std::string command);
+/// Another program, looked up on PATH.
+std::function<int()> other_program(std::vector<std::string> arguments);
 
 }  // namespace meander::test

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "base/visible_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/random.hpp"
+
+namespace meander {
+namespace {
+
+TEST(VisibleText, LeavesTextAndItsLines) {
+  for (const char* text : {"", "plain", "two\nlines\tand a tab", "äöü € 日本語 🤖"})
+    EXPECT_EQ(visible_text(text), text);
+}
+
+TEST(VisibleText, WritesControlCharactersAsLuaDoes) {
+  EXPECT_EQ(visible_text(std::string_view("a\0b\x1b[2J\x07\x7f\r", 10)), "a\\0b\\27[2J\\7\\127\\13");
+  EXPECT_EQ(visible_text("\xc2\x9b"
+                         "31m"),
+            "\\194\\15531m");
+}
+
+TEST(VisibleText, WritesWhatIsNoUtf8AsBytes) {
+  EXPECT_EQ(visible_text("\xff\x80 \xc3"), "\\255\\128 \\195");
+  EXPECT_EQ(visible_text("\xe2\x82"), "\\226\\130");
+}
+
+// Whatever the bytes: nothing that is left commands a terminal, and what is left is left alone.
+TEST(VisibleText, IsAtRestAfterOnce) {
+  Stream random(5, "visible_text");
+  for (int round = 0; round < 2000; ++round) {
+    std::string text;
+    for (int k = random.below(12); k >= 0; --k) text += static_cast<char>(random.below(256));
+    const std::string shown = visible_text(text);
+    EXPECT_EQ(visible_text(shown), shown);
+    for (const char c : shown)
+      EXPECT_TRUE(c == '\n' || c == '\t' || (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f));
+  }
+}
+
+}  // namespace
+}  // namespace meander
