@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "app/confine.hpp"
 #include "app/output.hpp"
 #include "app/progress.hpp"
 #include "app/subcommands.hpp"
@@ -79,6 +80,7 @@ int run_batch(Interpreter& lua, const CommandLine& line) {
 }
 
 int run_lua_command(const std::string& name, const CommandLine& line) {
+  if (line.sandbox) confine(*line.sandbox, {line.lua_dir});
   Interpreter lua({.lua_dir = line.lua_dir, .sandbox = line.sandbox});
   set_up_terminal(lua);
   lua.set_arguments("meander " + name, line.arguments);

@@ -6,6 +6,7 @@
 
 #include "app/batch.hpp"
 #include "app/command_line.hpp"
+#include "app/confine.hpp"
 #include "app/output.hpp"
 #include "app/subcommands.hpp"
 #include "repl/prompt.hpp"
@@ -24,6 +25,7 @@ int run(CommandLine line) {
     else
       line.script.emplace("-");
   }
+  if (line.sandbox) confine(*line.sandbox, {line.script.value_or(""), line.lua_dir});
   script::Interpreter lua({.lua_dir = line.lua_dir, .sandbox = line.sandbox});
   set_up_terminal(lua);
   const int code = run_batch(lua, line);
