@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "base/names.hpp"
+#include "polar/polar_navigator.hpp"
 #include "polar/potential_field.hpp"
 
 namespace meander {
@@ -15,6 +16,7 @@ struct Entry {
 };
 
 constexpr Entry kNavigators[] = {
+    {"polar", [](const Platform& platform) { return polar_navigator(platform); }},
     {"potential_field", [](const Platform& platform) { return potential_field(platform); }},
 };
 

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "polar/motion_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/kinematics.hpp"
+
+namespace meander {
+namespace {
+
+Vec2 direction(double angle) {
+  const SinCos t = sin_cos(angle);
+  return {t.cos, t.sin};
+}
+
+/// Chord of an arc of length 1 that begins with this heading and turns by `turn`.
+Vec2 chord(double heading, double turn) {
+  const double half = 0.5 * turn;
+  return (half == 0 ? 1.0 : sin_cos(half).sin / half) * direction(heading + half);
+}
+
+int samples_of(double way, double step) { return static_cast<int>(std::ceil(way / step - 1e-9)); }
+
+}  // namespace
+
+MotionControl::MotionControl(const Body& body, const MotionControlOptions& options, OwnObjective own)
+    : body_(body), options_(options), own_(std::move(own)) {
+  speeds_.resize(static_cast<std::size_t>(options.speeds));
+  turns_.resize(static_cast<std::size_t>(options.turns));
+  open_.reserve(speeds_.size() * turns_.size());
+}
+
+/// [LM99] 1: the velocities that can be reached within one control period, sampled.
+void MotionControl::make_window(const MotionTask& task) {
+  const double dt = task.now.period;
+  const double v_least = std::clamp(task.now.v - body_.a_v * dt, 0.0, body_.v_max);
+  const double v_most = std::clamp(task.now.v + body_.a_v * dt, 0.0, body_.v_max);
+  for (std::size_t k = 0; k < speeds_.size(); ++k) {
+    const double v = v_least + (v_most - v_least) * static_cast<double>(k) / static_cast<double>(speeds_.size() - 1);
+    speeds_[k] = {v, std::max(0.0, ramped(task.now.v, v, body_.a_v, dt).mean * dt), v * v / (2 * body_.a_v)};
+  }
+  const double w_least = std::clamp(task.now.w - body_.a_w * dt, -body_.w_max, body_.w_max);
+  const double w_most = std::clamp(task.now.w + body_.a_w * dt, -body_.w_max, body_.w_max);
+  for (std::size_t k = 0; k < turns_.size(); ++k) {
+    Turn& turn = turns_[k];
+    turn.w = w_least + (w_most - w_least) * static_cast<double>(k) / static_cast<double>(turns_.size() - 1);
+    turn.driven = ramped(task.now.w, turn.w, body_.a_w, dt).mean * dt;
+    turn.braked = turn.w * std::abs(turn.w) / (2 * body_.a_w);
+    turn.drive = chord(task.heading, turn.driven);
+    turn.brake = chord(task.heading + turn.driven, turn.braked);
+    turn.heading = wrap_angle(task.heading + turn.driven + turn.braked);
+  }
+}
+
+/// [LM99] 2: where the pair ends, after the period and the least way to a stop.
+MotionCandidate MotionControl::candidate(const MotionTask& task, int index) const {
+  const Speed& speed = speeds_[static_cast<std::size_t>(index) / turns_.size()];
+  const Turn& turn = turns_[static_cast<std::size_t>(index) % turns_.size()];
+  const Vec2 end = speed.driven * turn.drive + speed.braked * turn.brake;
+  MotionCandidate candidate;
+  candidate.command = {speed.v, turn.w, 0};
+  candidate.end = {end.x(), end.y(), turn.heading};
+  candidate.distance = (task.subgoal - end).norm();
+  return candidate;
+}
+
+void MotionControl::aim(const MotionTask& task, MotionCandidate& candidate) const {
+  const Vec2 way = task.subgoal - candidate.end.position();
+  candidate.heading_error = std::abs(angle_between(candidate.end.heading, angle_of(way.y(), way.x())));
+}
+
+double MotionControl::free_cost(const MotionCandidate& c) const {
+  return c.distance + options_.heading_cost * c.heading_error * std::min(1.0, c.distance / options_.heading_reach);
+}
+
+/// [LM99+] Obstacles along the trajectory count one by one, not by their density: near a wall a longer trajectory has
+/// the lower density, and the robot would speed up. The soft zone makes slow, it does not forbid.
+double MotionControl::obstacle_cost(const MotionCandidate& c) const {
+  if (c.soft == 0 && c.hard == 0) return 0;
+  const double v_max = std::max(body_.v_max, 1e-9);
+  double cost = options_.soft_samples * c.soft / 8 + options_.soft_speed_cost * c.soft / c.samples *
+                                                         std::max(0.0, c.command.v - options_.soft_speed) / v_max;
+  if (c.hard > 0)
+    cost += options_.hard_cost * (options_.hard_base + c.command.v / v_max) + options_.hard_samples * c.hard;
+  return cost;
+}
+
+double MotionControl::objective(const MotionCandidate& candidate) const {
+  return free_cost(candidate) + obstacle_cost(candidate);
+}
+
+/// Is the trajectory in the way of something there? False beyond the scope.
+bool MotionControl::sample(const MotionTask& task, const Vec2& at, MotionCandidate& candidate) const {
+  const double r = at.norm();
+  if (r >= task.layout.scope()) return false;
+  const int ring = task.layout.nearest_ring(r);
+  const int sector = task.layout.nearest_sector(angle_of(at.y(), at.x()));
+  const bool soft = task.soft.test(ring, sector), hard = task.hard.test(ring, sector);
+  candidate.soft += soft;
+  candidate.hard += hard;
+  return soft || hard;
+}
+
+/// Follows the trajectory until its cost exceeds `most`.
+void MotionControl::look(const MotionTask& task, int index, MotionCandidate& candidate, double free,
+                         double most) const {
+  const Speed& speed = speeds_[static_cast<std::size_t>(index) / turns_.size()];
+  const Turn& turn = turns_[static_cast<std::size_t>(index) % turns_.size()];
+  const double step = std::max(options_.sample_step, (speed.driven + speed.braked) / std::max(1, options_.samples - 1));
+  const int driving = samples_of(speed.driven, step), braking = samples_of(speed.braked, step);
+  candidate.samples = std::max(1, driving + braking);
+  Vec2 at(0, 0);
+  double heading = task.heading;
+  const auto follow = [&](int count, double way, double turned) {
+    if (count == 0) return true;
+    Vec2 stride = way / count * chord(heading, turned / count);
+    const SinCos t = sin_cos(turned / count);
+    for (int k = 0; k < count; ++k) {
+      at += stride;
+      stride = {t.cos * stride.x() - t.sin * stride.y(), t.sin * stride.x() + t.cos * stride.y()};
+      if (sample(task, at, candidate) && free + obstacle_cost(candidate) >= most) return false;
+    }
+    heading += turned;
+    return true;
+  };
+  if (follow(driving, speed.driven, turn.driven)) follow(braking, speed.braked, turn.braked);
+}
+
+/// [LM99] 3: the pair with the least value. Candidates come by what they cost without obstacles, the cheapest first,
+/// and their trajectories are followed only until they cost more than the best so far: the same answer as looking at
+/// all.
+Command MotionControl::choose(const MotionTask& task) {
+  make_window(task);
+  const int count = static_cast<int>(speeds_.size() * turns_.size());
+  const auto later = [](const Open& a, const Open& b) {
+    return a.bound != b.bound ? a.bound > b.bound : a.index > b.index;
+  };
+  open_.clear();
+  for (int index = 0; index < count; ++index)
+    open_.push_back({own_ ? 0 : candidate(task, index).distance, index, false});
+  std::make_heap(open_.begin(), open_.end(), later);
+  double least = std::numeric_limits<double>::infinity();
+  while (!open_.empty() && open_.front().bound < least) {
+    std::pop_heap(open_.begin(), open_.end(), later);
+    const Open open = open_.back();
+    open_.pop_back();
+    MotionCandidate tried = candidate(task, open.index);
+    aim(task, tried);
+    const double free = own_ ? 0 : free_cost(tried);
+    if (!own_ && !open.aimed) {
+      open_.push_back({free, open.index, true});
+      std::push_heap(open_.begin(), open_.end(), later);
+      continue;
+    }
+    look(task, open.index, tried, free, own_ ? std::numeric_limits<double>::infinity() : least);
+    const double cost = own_ ? own_(tried) : free + obstacle_cost(tried);
+    if (cost < least) {
+      least = cost;
+      best_ = tried;
+    }
+  }
+  return best_.command;
+}
+
+}  // namespace meander

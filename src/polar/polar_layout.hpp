@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <vector>
+
+#include "base/fields.hpp"
+#include "geometry/pose.hpp"
+
+namespace meander {
+
+/// How the rings' radii grow. [LM99] has uniform ones and names polar-logarithmic ones as future work.
+enum class PolarRadii { uniform, log };
+template <>
+struct EnumNames<PolarRadii> {
+  static constexpr std::pair<PolarRadii, const char*> entries[] = {{PolarRadii::uniform, "uniform"},
+                                                                   {PolarRadii::log, "log"}};
+};
+
+struct PolarLayoutOptions {
+  int rings = 100;
+  int sectors = 48;
+  double scope = 2.54;
+  PolarRadii radii = PolarRadii::uniform;
+  double innermost = 0.05;
+};
+template <class Options, class Visitor>
+requires std::same_as<std::remove_const_t<Options>, PolarLayoutOptions>
+void fields(Options& o, Visitor&& visit) {
+  visit(Field{"rings", "", "rings of units, the centre included", 4, 512}, o.rings);
+  visit(Field{"sectors", "", "units on each ring", 8, 256}, o.sectors);
+  visit(Field{"scope", "m", "radius of the outermost ring", 0.1, 100}, o.scope);
+  visit(Field{"radii", "", "equally spaced, or growing by a constant factor"}, o.radii);
+  visit(Field{"innermost", "m", "radius of ring 1 of logarithmic radii", 1e-3, 10}, o.innermost);
+}
+
+/// Where the units of a polar map lie [LM99, Figure 4]: ring 0 at the centre, the last ring at the scope; sector k at
+/// the bearing 2 pi k / sectors of the map's frame.
+class PolarLayout {
+ public:
+  explicit PolarLayout(const PolarLayoutOptions& options);
+
+  int rings() const { return rings_; }
+  int sectors() const { return sectors_; }
+  double scope() const { return radii_.back(); }
+  double radius(int ring) const { return radii_[static_cast<std::size_t>(ring)]; }
+  const std::vector<double>& radii() const { return radii_; }
+  double spacing() const { return spacing_; }  ///< between sectors [rad]
+  double bearing(int sector) const { return wrap_angle(spacing_ * sector); }
+  const Vec2& direction(int sector) const { return directions_[static_cast<std::size_t>(sector)]; }
+  Vec2 position(int ring, int sector) const { return radius(ring) * direction(sector); }
+
+  /// The first ring that is not nearer than r; rings() beyond the scope.
+  int first_ring_from(double r) const {
+    if (!(r > 0)) return 0;
+    if (r > radii_.back()) return rings_;
+    int ring = lookup_[static_cast<std::size_t>(r * bins_per_metre_)];
+    while (radii_[static_cast<std::size_t>(ring)] < r) ++ring;
+    return ring;
+  }
+  int nearest_ring(double r) const;
+  int nearest_sector(double bearing) const;
+  int wrapped(int sector) const { return (sector % sectors_ + sectors_) % sectors_; }
+  /// How many sectors lie between two, the shorter way.
+  int apart(int a, int b) const;
+
+ private:
+  int rings_;
+  int sectors_;
+  double spacing_;
+  std::vector<double> radii_;
+  std::vector<Vec2> directions_;
+  double bins_per_metre_ = 0;
+  std::vector<int> lookup_;  ///< a ring that is not beyond the first ring of the bin
+};
+
+}  // namespace meander

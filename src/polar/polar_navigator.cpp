@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "polar/polar_navigator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/kinematics.hpp"
+
+namespace meander {
+namespace {
+
+constexpr int kFewScans = 2;       ///< of the last resort before turning in place
+constexpr double kLooking = 0.4;   ///< turning rate when there is no way [rad/s]
+constexpr double kAligned = 0.05;  ///< [rad]
+enum Layer : std::size_t { plan, hard, soft };
+
+std::vector<RingWeights> weights_of(const PolarLayout& layout, const PolarMapOptions& map, const PolarParts& parts) {
+  return parts.weights ? ring_weights(layout, parts.weights) : ring_weights(layout, map.weights, map.kappa);
+}
+
+const PolarOptions& checked(const PolarOptions& options) {
+  validate(options);
+  return options;
+}
+
+std::size_t most_points(const Platform& platform, const PolarOptions& options) {
+  return static_cast<std::size_t>(platform.sonar.count) * static_cast<std::size_t>(options.memory.scans);
+}
+
+}  // namespace
+
+PolarNavigator::PolarNavigator(const Platform& platform, const PolarOptions& options, PolarParts parts)
+    : platform_(platform),
+      options_(in_mode(checked(options))),
+      parts_(std::move(parts)),
+      layout_(options_.map.layout),
+      memory_(platform, options_.memory),
+      predictor_(platform, options_.prediction),
+      mapper_(platform.body.radius, layout_.scope(), options_.map.merge, most_points(platform, options_)),
+      projection_(layout_,
+                  {platform.body.radius + options_.map.margin, platform.body.radius + options_.control.hard_margin,
+                   platform.body.radius + options_.control.soft_margin}),
+      narrow_(layout_, {platform.body.radius + options_.map.narrow_margin}),
+      solver_(layout_, weights_of(layout_, options_.map, parts_)),
+      readout_(options_.subgoal, options_.map.kappa),
+      control_(platform.body, options_.control, parts_.objective),
+      trap_(options_.trap),
+      planned_(&projection_.layer(plan)) {}
+
+void PolarNavigator::reset() {
+  memory_.clear();
+  predictor_.reset();
+  trap_.reset();
+  direction_.reset();
+  subgoal_.reset();
+}
+
+/// One control cycle, as [LM99, System Architecture] lists it.
+NavigatorStep PolarNavigator::step(const Observation& observation, const Subgoal& subgoal) {
+  memory_.remember(observation.readings);        // 1 sense, 2 remember
+  predicted_ = predictor_.predict(observation);  // 3
+  NavigatorStep step;
+  const Vec2 at = observation.odometry.pose.position();
+  const TrapWatch::Event event =
+      trap_.update(observation.time, at, subgoal.position, subgoal_ && subgoal_->position.y() >= 0);
+  if ((subgoal.position - at).norm() <= subgoal.tolerance) {
+    step = arrive(observation, subgoal);
+  } else if (event == TrapWatch::Event::give_up) {
+    step = give_up(options_.trap.patience);
+  } else {
+    if (event == TrapWatch::Event::escape) step.reason = escape_text();
+    place_map(trap_.temporary().value_or(subgoal.position));
+    mapper_.map(memory_, odometry_from_map_, at);  // 4 project
+    project();                                     // 5 map
+    diffuse();                                     // 6
+    choose_subgoal();                              // 7
+    step.command = control();                      // 8
+  }
+  predictor_.commanded(step.command);
+  return step;
+}
+
+NavigatorStep PolarNavigator::arrive(const Observation& observation, const Subgoal& subgoal) const {
+  if (!subgoal.heading) return {{}, NavigatorStatus::arrived, {}};
+  const double error = angle_between(predicted_.pose.heading, *subgoal.heading);
+  if (std::abs(angle_between(observation.odometry.pose.heading, *subgoal.heading)) <= kAligned)
+    return {{}, NavigatorStatus::arrived, {}};
+  const Body& body = platform_.body;
+  const double most = std::min(body.w_max, std::sqrt(2 * body.a_w * std::abs(error)));
+  const double w = std::clamp(error / (2 * predicted_.period), -most, most);
+  return {{0, w, 0}, NavigatorStatus::driving, {}};
+}
+
+NavigatorStep PolarNavigator::give_up(double patience) const {
+  return {{},
+          NavigatorStatus::trapped,
+          fmt::format("no progress for {:g} s, {:.2f} m from the subgoal{}", patience, trap_.distance(),
+                      options_.trap.escapes > 0 ? fmt::format(", after {} escapes", options_.trap.escapes) : "")};
+}
+
+std::string PolarNavigator::escape_text() const {
+  return fmt::format("no progress for {:g} s, {:.2f} m from the subgoal: escape {} of {}", options_.trap.patience,
+                     trap_.distance(), trap_.escapes(), options_.trap.escapes);
+}
+
+/// The map lies around the predicted position with the target in sector 0.
+void PolarNavigator::place_map(const Vec2& target) {
+  const Vec2 way = target - predicted_.pose.position();
+  target_distance_ = way.norm();
+  target_ring_ = target_ring(layout_, target_distance_);
+  odometry_from_map_ = {predicted_.pose.x, predicted_.pose.y, angle_of(way.y(), way.x())};
+}
+
+void PolarNavigator::project() {
+  projection_.clear();
+  for (const MappedPoint& point : mapper_.points()) projection_.add(point.position);
+  planned_ = &projection_.layer(plan);
+}
+
+/// [LM99+] Where nothing reaches the robot: closer to the obstacles, and then by what was seen last alone.
+void PolarNavigator::diffuse() {
+  solver_.solve(*planned_, target_ring_, options_.solver);
+  if (!reached()) retry(memory_.scans());
+  if (!reached()) retry(kFewScans);
+}
+
+bool PolarNavigator::reached() const {
+  for (int sector = 0; sector < layout_.sectors(); ++sector)
+    if (solver_.activation(0, sector) > 0) return true;
+  return false;
+}
+
+void PolarNavigator::retry(int scans) {
+  narrow_.clear();
+  for (const MappedPoint& point : mapper_.points())
+    if (point.age < scans) narrow_.add(point.position);
+  planned_ = &narrow_.layer(0);
+  solver_.solve(*planned_, target_ring_, options_.solver);
+}
+
+void PolarNavigator::choose_subgoal() {
+  PolarState state{layout_, solver_, target(), target_ring_, std::nullopt};
+  if (direction_) state.previous = layout_.nearest_sector(*direction_ - odometry_from_map_.heading);
+  subgoal_ = parts_.subgoal ? parts_.subgoal(state) : readout_(state);
+  if (!subgoal_) return direction_.reset();
+  direction_ = wrap_angle(odometry_from_map_.heading + layout_.bearing(subgoal_->sector));
+}
+
+Command PolarNavigator::control() {
+  if (!subgoal_) return turn_in_place();
+  return control_.choose({predicted_, angle_between(odometry_from_map_.heading, predicted_.pose.heading),
+                          subgoal_->position, layout_, projection_.layer(hard), projection_.layer(soft)});
+}
+
+/// Brake and look around, towards the target first.
+Command PolarNavigator::turn_in_place() const {
+  const double to_target = angle_between(predicted_.pose.heading, odometry_from_map_.heading);
+  return limited({0, to_target < 0 ? -kLooking : kLooking, 0}, platform_.body);
+}
+
+namespace {
+
+/// The step of a polar navigator's contract: found again by polar_inside.
+struct PolarStep {
+  std::shared_ptr<PolarNavigator> inside;
+  NavigatorStep operator()(const Observation& o, const Subgoal& s) const { return inside->step(o, s); }
+};
+
+}  // namespace
+
+Navigator polar_navigator(const Platform& platform, const PolarOptions& options, PolarParts parts) {
+  validate(platform);
+  const auto inside = std::make_shared<PolarNavigator>(platform, options, std::move(parts));
+  return {.name = "polar", .step = PolarStep{inside}, .reset = [inside] { inside->reset(); }};
+}
+
+std::shared_ptr<const PolarNavigator> polar_inside(const Navigator& navigator) {
+  const PolarStep* step = navigator.step.target<PolarStep>();
+  return step ? step->inside : nullptr;
+}
+
+}  // namespace meander

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include "polar/motion_control.hpp"
+#include "polar/polar_layout.hpp"
+#include "polar/polar_solver.hpp"
+#include "polar/prediction.hpp"
+#include "polar/sonar_memory.hpp"
+#include "polar/subgoal_readout.hpp"
+#include "polar/trap_watch.hpp"
+
+namespace meander {
+
+/// full: with all remedies; paper: without those that go beyond [LM99].
+enum class PolarMode { full, paper };
+template <>
+struct EnumNames<PolarMode> {
+  static constexpr std::pair<PolarMode, const char*> entries[] = {{PolarMode::full, "full"},
+                                                                  {PolarMode::paper, "paper"}};
+};
+
+struct PolarMapOptions {
+  PolarLayoutOptions layout;
+  PolarWeights weights = PolarWeights::finite_volume;
+  double kappa = 20;
+  double margin = 0.05;
+  double narrow_margin = 0.02;
+  double merge = 0.02;
+};
+template <class Options, class Visitor>
+requires std::same_as<std::remove_const_t<Options>, PolarMapOptions>
+void fields(Options& o, Visitor&& visit) {
+  fields(o.layout, visit);
+  visit(Field{"weights", "", "weights of the connections"}, o.weights);
+  visit(Field{"kappa", "1/m", "how fast activation decays along a way, with finite volumes", 0.1, 200}, o.kappa);
+  visit(Field{"margin", "m", "units nearer to a point than the robot's radius and this are obstructed", 0, 10},
+        o.margin);
+  visit(Field{"narrow_margin", "m", "the same, when no activation reaches the robot otherwise", 0, 10},
+        o.narrow_margin);
+  visit(Field{"merge", "m", "remembered points in the same square of this size count once; 0: all count", 0, 1},
+        o.merge);
+}
+
+struct PolarOptions {
+  PolarMode mode = PolarMode::full;
+  PolarMapOptions map;
+  SonarMemoryOptions memory;
+  PredictionOptions prediction;
+  PolarSolverOptions solver;
+  SubgoalReadoutOptions subgoal;
+  MotionControlOptions control;
+  TrapOptions trap;
+};
+template <class Options, class Visitor>
+requires std::same_as<std::remove_const_t<Options>, PolarOptions>
+void fields(Options& o, Visitor&& visit) {
+  visit(Field{"mode", "", "with the remedies beyond the paper, or without them"}, o.mode);
+  visit(Field{"map", "", "the polar map"}, o.map);
+  visit(Field{"memory", "", "the short-term memory"}, o.memory);
+  visit(Field{"prediction", "", "prediction of the configuration"}, o.prediction);
+  visit(Field{"solver", "", "how the equilibrium is found"}, o.solver);
+  visit(Field{"subgoal", "", "how the subgoal is read off"}, o.subgoal);
+  visit(Field{"control", "", "motion control"}, o.control);
+  visit(Field{"trap", "", "trapped: when, and what then"}, o.trap);
+}
+
+/// Parts of one's own; empty ones are the navigator's.
+struct PolarParts {
+  OwnWeights weights;
+  OwnObjective objective;
+  OwnSubgoal subgoal;
+};
+
+/// The options with what the mode turns off turned off.
+PolarOptions in_mode(PolarOptions options);
+
+}  // namespace meander

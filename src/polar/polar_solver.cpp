@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "polar/polar_solver.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace meander {
+namespace polar {
+
+/// Arrays of one solver. Lines lie one after the other, `stride` apart; ring arrays and lines have 8 empty places on
+/// both sides.
+struct LineSystem {
+  int sectors, padded;
+  std::size_t stride;
+  double* v;
+  const double *source, *nothing, *factor;
+  // Weights per ring.
+  const double *ring_inward, *ring_outward, *ring_lateral, *ring_inward_diagonal, *ring_outward_diagonal, *ring_total;
+  // Per unit: share of the neighbours, and of the ring 1, 2, 4, 8 farther out or in. No diagonal ones: null.
+  double *lateral, *inward_diagonal, *outward_diagonal, *in1, *in2, *in4, *in8, *out1, *out2, *out4, *out8;
+  // Of the inner rings, 16 per sector.
+  double *ring_open, *ring_q, *ring_p, *ring_z, *ring_y;
+  const double *ring_keep, *ring_take;
+};
+
+struct Kernel {
+  void (*factor_line)(const LineSystem&, int);
+  void (*sweep_lines)(const LineSystem&);
+  void (*factor_rings)(const LineSystem&);
+  void (*solve_rings)(const LineSystem&);
+};
+
+namespace plain {
+#define MEANDER_LANES 2
+#include "polar/polar_lines.hpp"
+#undef MEANDER_LANES
+constexpr Kernel kKernel{factor_line, sweep_lines, factor_rings, solve_rings};
+}  // namespace plain
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define MEANDER_WIDE_KERNELS
+#pragma GCC push_options
+#pragma GCC target("avx2")
+namespace avx2 {
+#define MEANDER_LANES 4
+#include "polar/polar_lines.hpp"
+#undef MEANDER_LANES
+constexpr Kernel kKernel{factor_line, sweep_lines, factor_rings, solve_rings};
+}  // namespace avx2
+#pragma GCC pop_options
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512dq,avx512vl")
+namespace avx512 {
+#define MEANDER_LANES 8
+#include "polar/polar_lines.hpp"
+#undef MEANDER_LANES
+constexpr Kernel kKernel{factor_line, sweep_lines, factor_rings, solve_rings};
+}  // namespace avx512
+#pragma GCC pop_options
+#endif
+
+/// The widest registers that this processor has.
+const Kernel& kernel() {
+#ifdef MEANDER_WIDE_KERNELS
+  static const Kernel& best = __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") ? avx512::kKernel
+                              : __builtin_cpu_supports("avx2")                                         ? avx2::kKernel
+                                                                                                       : plain::kKernel;
+  return best;
+#else
+  return plain::kKernel;
+#endif
+}
+
+}  // namespace polar
+
+namespace {
+
+constexpr int kInner = 16;       ///< rings that are also solved ring by ring
+constexpr int kUnitArrays = 11;  ///< arrays per unit in LineSystem
+constexpr int kRingArrays = 6;   ///< weights per ring
+constexpr int kRingSolves = 8;   ///< per pass
+constexpr int kExactPasses = 5000;
+constexpr double kExact = 1e-13;  ///< relative
+
+bool has_diagonals(const std::vector<RingWeights>& weights) {
+  return std::any_of(weights.begin(), weights.end(),
+                     [](const RingWeights& w) { return w.inward_diagonal > 0 || w.outward_diagonal > 0; });
+}
+
+}  // namespace
+
+PolarSolver::PolarSolver(const PolarLayout& layout, std::vector<RingWeights> weights)
+    : rings_(layout.rings()),
+      sectors_(layout.sectors()),
+      padded_((layout.rings() + 7) / 8 * 8),
+      stride_(static_cast<std::size_t>(padded_) + 2 * kPad),
+      weights_(std::move(weights)) {
+  const auto m = static_cast<std::size_t>(sectors_);
+  // Loads of the inner rings may reach past a short line into the next, and past the last one.
+  values_.resize((m + 1) * stride_ + 2 * kInner);
+  factor_.resize(stride_ + 2 * kInner);
+  source_.resize(stride_ + 2 * kInner);
+  nothing_.resize(stride_ + 2 * kInner);
+  per_unit_.resize(kUnitArrays * m * stride_ + 2 * kInner);
+  per_ring_.resize(kRingArrays * (stride_ + 2 * kInner));
+  inner_.resize(5 * kInner * (m + 1) + 2 * kInner);
+  double* at = per_ring_.data() + kPad;
+  for (const auto member : {&RingWeights::inward, &RingWeights::outward, &RingWeights::lateral,
+                            &RingWeights::inward_diagonal, &RingWeights::outward_diagonal, &RingWeights::total}) {
+    if (member == &RingWeights::total) std::fill(at - kPad, at - kPad + stride_ + 2 * kInner, 1.0);
+    for (std::size_t i = 0; i < weights_.size(); ++i) at[i] = weights_[i].*member;
+    at += stride_ + 2 * kInner;
+  }
+  for (int lane = 0; lane < kInner; ++lane) {
+    const bool solved = lane + 1 < rings_ - 1;
+    inner_[static_cast<std::size_t>(lane)] = solved ? 0 : 1;
+    inner_[static_cast<std::size_t>(kInner + lane)] = solved ? 1 : 0;
+  }
+  make_table();
+}
+
+/// c_i = 1 / (total_i - outward_i e_{i+1}), e_i = inward_i c_i, from the next obstructed ring inwards.
+void PolarSolver::make_table() {
+  const auto n = static_cast<std::size_t>(rings_);
+  table_.resize((n + 1) * n);
+  for (std::size_t next = 1; next <= n; ++next) {
+    double e = 0;
+    for (std::size_t i = next; i-- > 0;) {
+      const double c = 1 / (weights_[i].total - weights_[i].outward * e);
+      e = weights_[i].inward * c;
+      table_[next * n + i] = c;
+    }
+  }
+}
+
+polar::LineSystem PolarSolver::system() {
+  const auto m = static_cast<std::size_t>(sectors_);
+  const auto unit = [&](std::size_t k) { return per_unit_.data() + k * m * stride_ + kPad; };
+  const auto ring = [&](std::size_t k) { return per_ring_.data() + k * (stride_ + 2 * kInner) + kPad; };
+  const auto inner = [&](std::size_t k) { return inner_.data() + 2 * kInner + k * kInner * (m + 1); };
+  const bool diagonal = has_diagonals(weights_);
+  return {.sectors = sectors_,
+          .padded = padded_,
+          .stride = stride_,
+          .v = values_.data() + kPad,
+          .source = source_.data() + kPad,
+          .nothing = nothing_.data() + kPad,
+          .factor = factor_.data() + kPad,
+          .ring_inward = ring(0),
+          .ring_outward = ring(1),
+          .ring_lateral = ring(2),
+          .ring_inward_diagonal = ring(3),
+          .ring_outward_diagonal = ring(4),
+          .ring_total = ring(5),
+          .lateral = unit(0),
+          .inward_diagonal = diagonal ? unit(1) : nullptr,
+          .outward_diagonal = diagonal ? unit(2) : nullptr,
+          .in1 = unit(3),
+          .in2 = unit(4),
+          .in4 = unit(5),
+          .in8 = unit(6),
+          .out1 = unit(7),
+          .out2 = unit(8),
+          .out4 = unit(9),
+          .out8 = unit(10),
+          .ring_open = inner(0),
+          .ring_q = inner(1),
+          .ring_p = inner(2),
+          .ring_z = inner(3),
+          .ring_y = inner(4),
+          .ring_keep = inner_.data(),
+          .ring_take = inner_.data() + kInner};
+}
+
+/// The line's factors from the table: a run between two obstructed units depends on its outer end alone.
+void PolarSolver::copy_factors(const ObstructedUnits& obstructed, int sector) {
+  const auto bits = obstructed.sector_bits(sector);
+  double* factor = factor_.data() + kPad;
+  const auto copy = [&](int from, int next) {
+    const double* row = table_.data() + static_cast<std::size_t>(next) * static_cast<std::size_t>(rings_);
+    std::copy(row + from, row + next, factor + from);
+  };
+  int next = rings_;
+  for (std::size_t word = bits.size(); word-- > 0;) {
+    std::uint64_t left = bits[word];
+    if (sector == 0 && static_cast<std::size_t>(target_) >> 6 == word) left |= std::uint64_t{1} << (target_ & 63);
+    while (left != 0) {
+      const int bit = 63 - std::countl_zero(left), ring = static_cast<int>(word) * 64 + bit;
+      copy(ring + 1, next);
+      factor[ring] = 0;
+      next = ring;
+      left &= ~(std::uint64_t{1} << bit);
+    }
+  }
+  copy(0, next);
+}
+
+void PolarSolver::open_rings(const ObstructedUnits& obstructed, int sector) {
+  const auto bits = obstructed.sector_bits(sector);
+  double* open = inner_.data() + 2 * kInner + static_cast<std::size_t>(sector) * kInner;
+  for (int lane = 0; lane < kInner; ++lane) open[lane] = bits[0] >> (lane + 1) & 1 ? 0.0 : 1.0;
+  if (sector == 0 && target_ <= kInner) open[target_ - 1] = 0;
+}
+
+void PolarSolver::prepare(const ObstructedUnits& obstructed, int target) {
+  target_ = std::clamp(target, 1, rings_ - 1);
+  std::fill(values_.begin(), values_.end(), 0.0);
+  std::fill(source_.begin(), source_.end(), 0.0);
+  source_[kPad + static_cast<std::size_t>(target_)] = 1;
+  const polar::LineSystem s = system();
+  for (int k = 0; k < sectors_; ++k) {
+    copy_factors(obstructed, k);
+    polar::kernel().factor_line(s, k);
+    open_rings(obstructed, k);
+  }
+  polar::kernel().factor_rings(s);
+}
+
+void PolarSolver::solve(const ObstructedUnits& obstructed, int target, const PolarSolverOptions& options) {
+  prepare(obstructed, target);
+  const polar::LineSystem s = system();
+  const polar::Kernel& kernel = polar::kernel();
+  const int most = options.exact ? kExactPasses : options.passes;
+  for (passes_used_ = 0; passes_used_ < most; ++passes_used_) {
+    kernel.sweep_lines(s);
+    for (int k = 0; k < kRingSolves; ++k) kernel.solve_rings(s);
+    if (options.exact && residual(obstructed) < kExact) break;
+  }
+}
+
+double PolarSolver::inflow(int ring, int sector) const {
+  const RingWeights& w = weights_[static_cast<std::size_t>(ring)];
+  const double* here = values_.data() + index(sector) + ring;
+  const double* left = values_.data() + index(sector == 0 ? sectors_ - 1 : sector - 1) + ring;
+  const double* right = values_.data() + index(sector == sectors_ - 1 ? 0 : sector + 1) + ring;
+  return w.inward * here[-1] + w.outward * here[1] + w.lateral * (left[0] + right[0]) +
+         w.inward_diagonal * (left[-1] + right[-1]) + w.outward_diagonal * (left[1] + right[1]);
+}
+
+double PolarSolver::residual(const ObstructedUnits& obstructed) const {
+  double worst = 0;
+  for (int sector = 0; sector < sectors_; ++sector)
+    for (int ring = 0; ring < rings_; ++ring) {
+      if (obstructed.test(ring, sector) || (sector == 0 && ring == target_)) continue;
+      const double in = inflow(ring, sector);
+      const double own = activation(ring, sector) * weights_[static_cast<std::size_t>(ring)].total;
+      if (in > 0 || own > 0) worst = std::max(worst, std::abs(in - own) / std::max(in, own));
+    }
+  return worst;
+}
+
+}  // namespace meander

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <vector>
+
+#include "polar/polar_weights.hpp"
+#include "polar/projection.hpp"
+
+namespace meander {
+
+namespace polar {
+struct LineSystem;
+}
+
+struct PolarSolverOptions {
+  int passes = 2;
+  bool exact = false;
+};
+template <class Options, class Visitor>
+requires std::same_as<std::remove_const_t<Options>, PolarSolverOptions>
+void fields(Options& o, Visitor&& visit) {
+  visit(Field{"passes", "", "sweeps from the target round the map and back", 1, 1000}, o.passes);
+  visit(Field{"exact", "", "sweep until nothing changes any more"}, o.exact);
+}
+
+/// The equilibrium activation of a polar map whose target lies in sector 0. It is the solution of a linear system with
+/// positive couplings and a leak: there is exactly one, and whatever the order of the updates, they approach it.
+///
+/// One pass: radial lines solved exactly, sector after sector from the target on both sides to the far side and back,
+/// so that activation gets around any obstacle within a pass; then the inner rings, whose units couple strongly
+/// sideways, ring by ring. Allocates nothing once made.
+class PolarSolver {
+ public:
+  PolarSolver(const PolarLayout& layout, std::vector<RingWeights> weights);
+
+  /// The target unit, at ring `target` of sector 0, has activation 1 and is never obstructed.
+  void solve(const ObstructedUnits& obstructed, int target, const PolarSolverOptions& options = {});
+
+  double activation(int ring, int sector) const { return values_[index(sector) + static_cast<std::size_t>(ring)]; }
+  /// How far from the equilibrium: the largest relative error of a unit's equation among the units that have any
+  /// activation.
+  double residual(const ObstructedUnits& obstructed) const;
+  int passes_used() const { return passes_used_; }
+  const std::vector<RingWeights>& weights() const { return weights_; }
+
+ private:
+  std::size_t index(int sector) const { return static_cast<std::size_t>(sector) * stride_ + kPad; }
+  void make_table();
+  void prepare(const ObstructedUnits& obstructed, int target);
+  void copy_factors(const ObstructedUnits& obstructed, int sector);
+  void open_rings(const ObstructedUnits& obstructed, int sector);
+  double inflow(int ring, int sector) const;
+  polar::LineSystem system();
+
+  static constexpr std::size_t kPad = 8;  ///< empty units on both sides of a line, read but never written
+  int rings_;
+  int sectors_;
+  int padded_;  ///< rings, in whole blocks of eight
+  std::size_t stride_;
+  std::vector<RingWeights> weights_;
+  std::vector<double> table_;   ///< line factors by next obstructed ring outwards and ring
+  std::vector<double> values_;  ///< activation, line by line
+  std::vector<double> factor_;  ///< of the line at hand
+  std::vector<double> source_;
+  std::vector<double> nothing_;
+  std::vector<double> per_ring_;  ///< weights as arrays
+  std::vector<double> per_unit_;  ///< line factors of all units
+  std::vector<double> inner_;     ///< of the inner rings
+  int target_ = 0;
+  int passes_used_ = 0;
+};
+
+}  // namespace meander
