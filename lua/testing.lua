@@ -136,10 +136,6 @@ function testing.list()
   return list
 end
 
-local function call_all(bodies)
-  for _, body in ipairs(bodies) do body(testing.seed) end
-end
-
 -- The hooks `which` of all groups around a test, outermost group first.
 local function hooks(at, which)
   local groups = {}
@@ -156,16 +152,25 @@ function testing.body(index)
   return function()
     math.randomseed(testing.seed)
     now = test
-    for _, bodies in ipairs(hooks(test.group, "before")) do call_all(bodies) end
+    for _, bodies in ipairs(hooks(test.group, "before")) do
+      for _, body in ipairs(bodies) do body(testing.seed) end
+    end
     test.body(testing.seed)
   end
 end
 
---- For the runner: what comes after it.
+--- For the runner: what comes after it. All of it runs; the first error is told.
 function testing.cleanup(index)
   local groups = hooks(tests[index].group, "after")
   return function()
-    for i = #groups, 1, -1 do call_all(groups[i]) end
+    local failed, problem = false, nil
+    for i = #groups, 1, -1 do
+      for _, body in ipairs(groups[i]) do
+        local ok, why = pcall(body, testing.seed)
+        if not ok and not failed then failed, problem = true, why end
+      end
+    end
+    if failed then error(problem, 0) end
   end
 end
 

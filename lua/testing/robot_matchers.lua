@@ -46,11 +46,14 @@ local function moment(run, i)
   return ("at %s after %.1f s"):format(point_text(x[i], y[i]), time[i])
 end
 
+local function times(count) return count == 1 and "once" or count == 2 and "twice" or count .. " times" end
+
 local function ending(run)
   local subgoals = run.subgoals > 0 and ("%d of %d subgoals"):format(run.reached, run.subgoals)
     or ("%d subgoal%s"):format(run.reached, run.reached == 1 and "" or "s")
   local where = run.steps > 0 and moment(run, run.steps) or ("after %.1f s"):format(run.time)
-  return ("reached %s; ended %s: %s"):format(subgoals, where, run.reason)
+  local touched = run.contacts > 0 and (", touched something %s"):format(times(run.contacts)) or ""
+  return ("reached %s%s; ended %s: %s"):format(subgoals, touched, where, run.reason)
 end
 
 -- Position, tolerance and name of what a test calls a place: a name, a thing or a point.
@@ -89,7 +92,7 @@ local function reaches_place(self, run, place, tolerance)
     rawset(self, "reached_what", name)
     return true
   end
-  return false, ("did not reach %s: %.2f m short of it %s, %.2f m would do; %s"):format(name, nearest, moment(run, cycle),
+  return false, ("did not reach %s: at best %.2f m from it, %s, where %g m would do; %s"):format(name, nearest, moment(run, cycle),
     tolerance or own, ending(run))
 end
 
@@ -130,8 +133,6 @@ local function first_touch(run)
   local _, least = clearance:min()
   return ", nearest " .. moment(run, least)
 end
-
-local function times(count) return count == 1 and "once" or count == 2 and "twice" or count .. " times" end
 
 local function contacts(value, kind, key)
   if kind == "run" then return value[key] end
