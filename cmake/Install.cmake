@@ -15,20 +15,17 @@ install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}
 install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 install(DIRECTORY docs/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 
-# The program tells the shells what it takes.
-set(completions "${PROJECT_BINARY_DIR}/completions")
-set(completion_files "")
-foreach(shell bash zsh fish)
-  add_custom_command(OUTPUT "${completions}/${shell}"
-    COMMAND ${CMAKE_COMMAND} -E make_directory "${completions}"
-    COMMAND meander completion ${shell} > "${completions}/${shell}"
-    DEPENDS meander VERBATIM)
-  list(APPEND completion_files "${completions}/${shell}")
-endforeach()
-add_custom_target(completions ALL DEPENDS ${completion_files})
-install(FILES "${completions}/bash" DESTINATION share/bash-completion/completions RENAME meander)
-install(FILES "${completions}/zsh" DESTINATION share/zsh/site-functions RENAME _meander)
-install(FILES "${completions}/fish" DESTINATION share/fish/vendor_completions.d RENAME meander.fish)
+# complete(SHELL DESTINATION NAME): the program itself tells a shell what it takes, when it is installed.
+function(complete shell destination name)
+  set(file "${PROJECT_BINARY_DIR}/completions/${name}")
+  file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/completions")
+  install(CODE "execute_process(COMMAND \"$<TARGET_FILE:meander>\" completion ${shell}
+    OUTPUT_FILE \"${file}\" COMMAND_ERROR_IS_FATAL ANY)")
+  install(FILES "${file}" DESTINATION ${destination})
+endfunction()
+complete(bash share/bash-completion/completions meander)
+complete(zsh share/zsh/site-functions _meander)
+complete(fish share/fish/vendor_completions.d meander.fish)
 
 install(FILES docs/meander.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
 

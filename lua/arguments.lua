@@ -15,6 +15,8 @@
 -- A default that is a number makes the option a number, a whole one if it is whole; an option without a placeholder is a flag. --help prints the
 -- table and ends the script; a mistake ends it with one line and exit code 2.
 
+local did_you_mean = require "meander.testing.names"
+
 local function script_name() return (arg and arg[0] or "script"):match("[^/]*$") end
 
 local function leave(text, code)
@@ -65,7 +67,7 @@ local function option(plan, values, words, i)
   word = word or words[i]
   local flag = plan.flags[word]
   if not flag then
-    leave(("unknown option '%s' (known: %s)"):format(word, table.concat(plan.names, ", ")), 2)
+    leave(("unknown option '%s'%s (known: %s)"):format(word, did_you_mean(word, plan.names), table.concat(plan.names, ", ")), 2)
   end
   if not flag.placeholder then
     if inline then leave(("option %s takes no value, got '%s'"):format(word, inline), 2) end

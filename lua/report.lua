@@ -7,11 +7,16 @@ local report = {}
 
 local drive_keys = { "example", "seed", "reached", "subgoals", "contacts", "time", "length", "clearance_min", "hash" }
 
---- Ends the script with one line on stderr and exit code 2: it was called in a way that cannot be meant.
-function report.usage_error(text)
+local function leave(text, code)
   io.stderr:write((arg and arg[0] or "script"):match("[^/]*$"), ": ", text, "\n")
-  os.exit(2, true)
+  os.exit(code, true)
 end
+
+--- Ends the script with one line on stderr and exit code 2: it was called in a way that cannot be meant.
+function report.usage_error(text) leave(text, 2) end
+
+--- Ends the script with one line on stderr and exit code 1: what was asked for cannot be done.
+function report.failure(text) leave(text, 1) end
 
 --- The path of a file in the folder that --out names; the folder is made when it is not there.
 function report.path(options, name)

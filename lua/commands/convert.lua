@@ -18,7 +18,7 @@ local writers = {
   toml = function(world, path) world:save(path) end,
   svg = function(world, path) world:save(path) end,
   png = function(world, path) world:save(path) end,
-  yaml = function(world, path) meander.world.export_ros(world, path, { resolution = options.resolution }) end,
+  yaml = function(world, path) world:export_ros(path, { resolution = options.resolution }) end,
 }
 
 local write = writers[options.OUT:match("%.(%w+)$") or ""]
@@ -29,9 +29,17 @@ if there then
   if not options.force then report.usage_error("'" .. options.OUT .. "' exists already (--force writes over it)") end
 end
 
-local world, notes = meander.world.import(options.IN, {
+-- What went wrong in a call, without the names of the functions of this program.
+local function checked(done, ...)
+  if done then return ... end
+  local message = tostring((...))
+  if message:find "interrupted$" then error(message, 0) end
+  report.failure((message:gsub("^%[[^%]]*%]:%d+: [%w_.:]+: ", "")))
+end
+
+local world, notes = checked(pcall(meander.world.import, options.IN, {
   resolution = options.resolution, unknown = options.unknown, index = options.index,
-})
+}))
 for _, line in ipairs(notes) do io.stderr:write(line, "\n") end
-write(world, options.OUT)
+checked(pcall(write, world, options.OUT))
 print(tostring(world) .. " -> " .. options.OUT)

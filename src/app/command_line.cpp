@@ -77,7 +77,8 @@ void add_options(CLI::App& app, CommandLine& line) {
   app.add_flag("-i", line.interactive, "the prompt, after everything else");
   app.add_flag("--no-rc", line.no_rc, "at the prompt, skip the start-up file $XDG_CONFIG_HOME/meander/init.lua");
   app.add_option("--lua-dir", line.lua_dir, "use the Lua modules of DIR instead of those inside the program")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(CLI::Validator(CLI::ExistingDirectory).description(""));
   add_sandbox_options(app, line.sandbox);
   app.prefix_command();
 }

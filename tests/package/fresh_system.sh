@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: the meander authors
-# fresh_system.sh: makes the Debian package for the Debian that this runs on, installs it with apt in a smallest system of
-# the same release, and uses it there. Needs root; installs what it lacks. A quarter of an hour where nothing is built.
+# fresh_system.sh [BUILD]: makes the Debian package for the Debian that this runs on, installs it with apt in a smallest
+# system of the same release, and uses it there. Needs root; installs what it lacks. BUILD is a build folder to take the
+# package from; without it ./meander makes one.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 [ "$(id -u)" -eq 0 ] || { echo "fresh_system.sh: root is needed for a system of its own (debootstrap, chroot)" >&2; exit 2; }
@@ -10,14 +11,14 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 step() { printf '\n== %s (%d s)\n' "$*" "$SECONDS"; }
 
 step "package for $VERSION_CODENAME"
-./meander --version
-build=build/${MEANDER_PRESET:-release}
-cmake --build "$build" --target completions
+build=${1:-build/${MEANDER_PRESET:-release}}
+[ $# -gt 0 ] || ./meander --version
+cmake --build "$build" --target meander
 DEBIAN_FRONTEND=noninteractive apt-get -qq -y install --no-install-recommends debootstrap dpkg-dev file >/dev/null
 rm -f "$build"/*.deb
 (cd "$build" && cpack -G DEB)
 package=$(realpath "$build"/meander_*.deb)
-dpkg-deb --info "$package" | sed -n '/Package:/,$p; /Depends:/p'
+dpkg-deb --field "$package" Package Version Architecture Depends Installed-Size
 if command -v lintian >/dev/null; then lintian --fail-on error --suppress-tags initial-upload-closes-no-bugs "$package"; fi
 
 step "a smallest system"
