@@ -4,8 +4,11 @@
 
 #include "base/error.hpp"
 #include "base/names.hpp"
+#include "polar/dynamic_window.hpp"
 #include "polar/polar_navigator.hpp"
 #include "polar/potential_field.hpp"
+#include "polar/tangent_bug.hpp"
+#include "polar/vfh_plus.hpp"
 
 namespace meander {
 namespace {
@@ -18,6 +21,9 @@ struct Entry {
 constexpr Entry kNavigators[] = {
     {"polar", [](const Platform& platform) { return polar_navigator(platform); }},
     {"potential_field", [](const Platform& platform) { return potential_field(platform); }},
+    {"vfh_plus", [](const Platform& platform) { return vfh_plus(platform); }},
+    {"dynamic_window", [](const Platform& platform) { return dynamic_window(platform); }},
+    {"tangent_bug", [](const Platform& platform) { return tangent_bug(platform); }},
 };
 
 }  // namespace

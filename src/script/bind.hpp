@@ -20,6 +20,7 @@ void bind_run(lua_State* L);
 void bind_robot(lua_State* L);
 void bind_sensor(lua_State* L);
 void bind_navigators(lua_State* L);
+void bind_baselines(lua_State* L);
 void bind_study(lua_State* L);
 void bind_folder(lua_State* L);
 void bind_help(lua_State* L);

@@ -17,6 +17,7 @@ void bind_all(lua_State* L) {
   bind_matrix(L);
   bind_observation(L);
   bind_navigators(L);
+  bind_baselines(L);
   bind_sim(L);
   bind_drive(L);
   bind_run(L);

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "polar/tangent_bug.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "polar/near_points.hpp"
+
+namespace meander {
+namespace {
+
+Vec2 along(double angle, double way) {
+  const SinCos t = sin_cos(angle);
+  return {way * t.cos, way * t.sin};
+}
+
+/// Walking along a wall.
+struct Following {
+  double side;      ///< 1: the wall is on the left
+  double nearest;   ///< distance from the subgoal to the nearest place of the way along it [m]
+  Vec2 begin;       ///< where it began, in the odometry frame
+  double away = 0;  ///< farthest from there so far [m]
+};
+
+class TangentBug {
+ public:
+  TangentBug(const Platform& platform, const TangentBugOptions& options)
+      : platform_(platform),
+        options_(options),
+        memory_(platform, options.memory),
+        steering_(platform, options.steering),
+        step_(2 * kPi / options.directions),
+        free_(static_cast<std::size_t>(options.directions)) {}
+
+  void reset() { *this = TangentBug(platform_, options_); }
+
+  NavigatorStep step(const Observation& observation, const Subgoal& subgoal) {
+    const Pose2& pose = observation.odometry.pose;
+    memory_.remember(observation.readings);
+    if (subgoal.position != subgoal_) begin(observation, subgoal.position);
+    if (const auto there = arrival(observation, subgoal, platform_.body)) return *there;
+    look(pose);
+    if (following_) follow();
+    std::optional<double> bearing;
+    if (!following_) bearing = past_the_ends();
+    if (following_) bearing = along_the_wall();
+    NavigatorStep step{drive(bearing, observation), NavigatorStatus::driving, {}};
+    if (std::string why = stuck(observation); !why.empty()) {
+      step.status = NavigatorStatus::trapped;
+      step.reason = fmt::format("{}, {:.2f} m from the subgoal", why, target_.norm());
+    }
+    return step;
+  }
+
+ private:
+  void begin(const Observation& observation, const Vec2& subgoal) {
+    subgoal_ = subgoal;
+    following_.reset();
+    chosen_.reset();
+    place_ = observation.odometry.pose.position();
+    since_ = observation.time;
+  }
+
+  std::size_t at(int k) const {
+    return static_cast<std::size_t>((k % options_.directions + options_.directions) % options_.directions);
+  }
+  /// Direction k, from the subgoal's on counter-clockwise, in the robot's frame.
+  double bearing_of(int k) const { return wrap_angle(target_bearing_ + k * step_); }
+  Vec2 place_at(int k, double way) const { return along(bearing_of(k), way); }
+
+  /// [KRR98] the local tangent graph's range profile: the free way of the body in every direction.
+  void look(const Pose2& pose) {
+    here_ = pose.position();
+    heading_ = pose.heading;
+    target_ = inverse(pose) * subgoal_;
+    target_bearing_ = angle_of(target_.y(), target_.x());
+    const double radius = platform_.body.radius + options_.clearance;
+    points_near(memory_, pose, platform_.body.radius, options_.reach + radius, points_);
+    turned_.resize(points_.size());
+    for (int k = 0; k < options_.directions; ++k) {
+      const Pose2 back{0, 0, -bearing_of(k)};
+      std::transform(points_.begin(), points_.end(), turned_.begin(), [&](const Vec2& p) { return back * p; });
+      free_[at(k)] = free_arc(turned_, 0, radius, options_.reach);
+    }
+  }
+
+  bool target_in_sight() const { return free_[0] >= std::min(target_.norm(), options_.reach) - kTouch; }
+
+  /// [KRR98] motion to the goal: to the end of an obstacle over which the way is shortest. No end nearer to the subgoal
+  /// than the robot is: it begins to follow the wall.
+  std::optional<double> past_the_ends() {
+    if (target_in_sight()) {
+      chosen_.reset();
+      return target_bearing_;
+    }
+    std::optional<int> best, nearer;
+    double least = 0, least_nearer = 0;
+    for (int k = 0; k < options_.directions; ++k) {
+      const double beside = std::min(free_[at(k - 1)], free_[at(k + 1)]);
+      if (free_[at(k)] - beside < options_.jump) continue;
+      const Vec2 end = place_at(k, std::min(free_[at(k)], beside + options_.jump));
+      const double rest = (target_ - end).norm();
+      double way = end.norm() + rest;
+      if (chosen_ && std::abs(angle_between(*chosen_, heading_ + bearing_of(k))) > kSameEnd) way += options_.constancy;
+      if (!best || way < least) best = k, least = way;
+      if (rest < target_.norm() && (!nearer || way < least_nearer)) nearer = k, least_nearer = way;
+    }
+    if (nearer) {
+      chosen_ = heading_ + bearing_of(*nearer);
+      return bearing_of(*nearer);
+    }
+    // The wall is to be on the side from which the end is reached: end on the left, wall on the right.
+    const double end = best ? bearing_of(*best) - target_bearing_ : kPi;
+    following_ = Following{.side = wrap_angle(end) >= 0 ? -1.0 : 1.0, .nearest = target_.norm(), .begin = here_};
+    return std::nullopt;
+  }
+
+  /// [KRR98] leave the boundary when a place is in reach that is nearer to the subgoal than all of it was.
+  void follow() {
+    Following& wall = *following_;
+    wall.away = std::max(wall.away, (here_ - wall.begin).norm());
+    double reach = target_.norm();
+    for (int k = 0; k < options_.directions; ++k) {
+      const double way = std::clamp(target_.norm() * sin_cos(k * step_).cos, 0.0, free_[at(k)]);
+      reach = std::min(reach, (target_ - place_at(k, way)).norm());
+    }
+    if (reach < wall.nearest - options_.leave) return following_.reset();
+    wall.nearest = std::min(wall.nearest, target_.norm());
+  }
+
+  /// The first free direction, seen from the wall on.
+  std::optional<double> along_the_wall() const {
+    if (points_.empty()) return target_bearing_;
+    const auto nearest = std::min_element(
+        points_.begin(), points_.end(), [](const Vec2& a, const Vec2& b) { return a.squaredNorm() < b.squaredNorm(); });
+    const double wall = angle_of(nearest->y(), nearest->x());
+    const auto first = static_cast<int>(std::floor(angle_between(target_bearing_, wall) / step_ + 0.5));
+    const int turn = following_->side > 0 ? -1 : 1;
+    for (int i = 0; i < options_.directions; ++i)
+      if (free_[at(first + turn * i)] >= options_.follow_look) return bearing_of(first + turn * i);
+    return std::nullopt;
+  }
+
+  Command drive(const std::optional<double>& bearing, const Observation& observation) const {
+    if (!bearing) return steering_.turn(following_ && following_->side < 0 ? kPi / 2 : -kPi / 2, observation);
+    return steering_.towards(*bearing, target_.norm(), observation, points_);
+  }
+
+  /// Why it cannot go on, or nothing. Then it forgets the wall and tries anew.
+  std::string stuck(const Observation& observation) {
+    if (following_ && following_->away > 3 * options_.loop && (here_ - following_->begin).norm() < options_.loop) {
+      following_.reset();
+      return "came round to where it met the obstacle";
+    }
+    if ((here_ - place_).norm() > options_.progress) place_ = here_, since_ = observation.time;
+    if (observation.time - since_ <= options_.patience) return {};
+    since_ = observation.time;
+    following_.reset();
+    return fmt::format("no way on for {:g} s", options_.patience);
+  }
+
+  static constexpr double kTouch = 1e-6;    ///< [m]
+  static constexpr double kSameEnd = 0.35;  ///< directions nearer to each other are the same end [rad]
+
+  Platform platform_;
+  TangentBugOptions options_;
+  SonarMemory memory_;
+  Steering steering_;
+  double step_;
+  std::vector<double> free_;  ///< way [m] in each direction, the subgoal's first
+  std::vector<Vec2> points_;
+  std::vector<Vec2> turned_;
+  Vec2 subgoal_{std::numeric_limits<double>::quiet_NaN(), 0};
+  Vec2 target_{0, 0};  ///< the subgoal in the robot's frame
+  double target_bearing_ = 0;
+  Vec2 here_{0, 0};
+  double heading_ = 0;
+  std::optional<double> chosen_;  ///< direction of the end chosen last, in the odometry frame
+  std::optional<Following> following_;
+  Vec2 place_{0, 0};  ///< where it was when it last got anywhere
+  double since_ = 0;
+};
+
+}  // namespace
+
+Navigator tangent_bug(const Platform& platform, const TangentBugOptions& options) {
+  validate(platform);
+  validate(options);
+  auto bug = std::make_shared<TangentBug>(platform, options);
+  return {.name = "tangent_bug",
+          .step = [bug](const Observation& o, const Subgoal& s) { return bug->step(o, s); },
+          .reset = [bug] { bug->reset(); }};
+}
+
+}  // namespace meander
