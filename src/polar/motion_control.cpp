@@ -63,6 +63,7 @@ MotionCandidate MotionControl::candidate(const MotionTask& task, int index) cons
   candidate.command = {speed.v, turn.w, 0};
   candidate.end = {end.x(), end.y(), turn.heading};
   candidate.distance = (task.subgoal - end).norm();
+  candidate.near = task.clearance < options_.near_margin;
   return candidate;
 }
 
@@ -78,9 +79,10 @@ double MotionControl::free_cost(const MotionCandidate& c) const {
 /// [LM99+] Obstacles along the trajectory count one by one, not by their density: near a wall a longer trajectory has
 /// the lower density, and the robot would speed up. The soft zone makes slow, it does not forbid.
 double MotionControl::obstacle_cost(const MotionCandidate& c) const {
-  if (c.soft == 0 && c.hard == 0) return 0;
+  if (c.soft == 0 && c.hard == 0 && !c.near) return 0;
   const double v_max = std::max(body_.v_max, 1e-9);
-  double cost = options_.soft_samples * c.soft / 8 + options_.soft_speed_cost * c.soft / c.samples *
+  double cost = options_.soft_samples * c.soft / 8 + options_.soft_speed_cost *
+                                                         (c.near ? 1.0 : static_cast<double>(c.soft) / c.samples) *
                                                          std::max(0.0, c.command.v - options_.soft_speed) / v_max;
   if (c.hard > 0)
     cost += options_.hard_cost * (options_.hard_base + c.command.v / v_max) + options_.hard_samples * c.hard;

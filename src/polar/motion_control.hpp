@@ -22,6 +22,7 @@ struct MotionControlOptions {
   double soft_samples = 0.1;
   double soft_speed_cost = 2;
   double soft_speed = 0.3;
+  double near_margin = 0.20;
   double sample_step = 0.05;
   int samples = 12;
 };
@@ -42,6 +43,9 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"soft_speed_cost", "m", "cost of driving at full speed above soft_speed in the slow zone", 0, 1000},
         o.soft_speed_cost);
   visit(Field{"soft_speed", "m/s", "speed in the slow zone that costs nothing", 0, 100}, o.soft_speed);
+  visit(Field{"near_margin", "m",
+              "a robot that stands nearer to a point than this is in the slow zone wherever it goes", 0, 10},
+        o.near_margin);
   visit(Field{"sample_step", "m", "distance between samples of a trajectory", 1e-3, 10}, o.sample_step);
   visit(Field{"samples", "", "samples of a trajectory at most", 1, 1000}, o.samples);
 }
@@ -55,6 +59,7 @@ struct MotionCandidate {
   int samples = 1;           ///< of the trajectory
   int hard = 0;              ///< of these, nearer to a point than the hard margin
   int soft = 0;              ///< nearer than the soft margin
+  bool near = false;         ///< the robot is near a point now
 };
 
 /// An objective of one's own: the candidate with the least value is taken.
@@ -65,6 +70,7 @@ struct MotionTask {
   Prediction now;      ///< velocities and period; its pose is that of the odometry
   double heading = 0;  ///< of the robot
   Vec2 subgoal{0, 0};
+  double clearance = 0;  ///< from the hull to the nearest point now [m]
   const PolarLayout& layout;
   const ObstructedUnits& hard;
   const ObstructedUnits& soft;

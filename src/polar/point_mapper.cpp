@@ -30,6 +30,7 @@ void PointMapper::map(const SonarMemory& memory, const Pose2& odometry_from_map,
   points_.clear();
   std::fill(raster_.begin(), raster_.end(), std::uint64_t{0});
   const Vec2 x_axis = odometry_from_map.direction(), y_axis = left_of(x_axis);
+  double nearest = scope_ * scope_;
   const double erroneous = kErroneous * radius_;
   for (int age = 0; age < memory.scans(); ++age)
     for (const MemoryPoint& remembered : memory.scan(age)) {
@@ -42,8 +43,10 @@ void PointMapper::map(const SonarMemory& memory, const Pose2& odometry_from_map,
         if (square < 1e-12) continue;
         p *= (radius_ + kPushedOut) / std::sqrt(square);
       }
+      nearest = std::min(nearest, p.squaredNorm());
       if (new_place(p)) points_.push_back({p, age});
     }
+  nearest_ = std::sqrt(nearest);
 }
 
 /// The first point in each square of the raster: the newest, as they come by age.

@@ -23,6 +23,8 @@ class PointMapper {
   /// Points beyond the scope are left out, and those within the robot's body as it is now: they are errors [LM99].
   void map(const SonarMemory& memory, const Pose2& odometry_from_map, const Vec2& robot_now);
   std::span<const MappedPoint> points() const { return points_; }
+  /// From the hull at the origin to the nearest point [m].
+  double clearance() const { return nearest_ - radius_; }
 
  private:
   bool new_place(const Vec2& p);
@@ -30,7 +32,8 @@ class PointMapper {
   double radius_;
   double scope_;
   double merge_;
-  int side_ = 0;  ///< squares of the merging raster along a side
+  double nearest_ = 0;  ///< from the origin to the nearest point, the scope if there is none [m]
+  int side_ = 0;        ///< squares of the merging raster along a side
   std::vector<std::uint64_t> raster_;
   std::vector<MappedPoint> points_;
 };

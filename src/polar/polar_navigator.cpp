@@ -150,7 +150,8 @@ void PolarNavigator::choose_subgoal() {
 Command PolarNavigator::control() {
   if (!subgoal_) return turn_in_place();
   return control_.choose({predicted_, angle_between(odometry_from_map_.heading, predicted_.pose.heading),
-                          subgoal_->position, layout_, projection_.layer(hard), projection_.layer(soft)});
+                          subgoal_->position, mapper_.clearance(), layout_, projection_.layer(hard),
+                          projection_.layer(soft)});
 }
 
 /// Brake and look around, towards the target first.

@@ -36,8 +36,10 @@ class VfhPlus {
     const Pose2& pose = observation.odometry.pose;
     memory_.remember(observation.readings);
     if (const auto there = arrival(observation, subgoal, platform_.body)) return *there;
-    points_near(memory_, pose, platform_.body.radius, options_.window, points_);
     const Vec2 to_subgoal = inverse(pose) * subgoal.position;
+    // [UB98+] What lies behind the subgoal is in nobody's way to it.
+    reach_ = std::min(options_.window, to_subgoal.norm() + platform_.body.radius + options_.enlarge);
+    points_near(memory_, pose, platform_.body.radius, reach_, points_);
     fill(pose.heading);
     hysteresis();
     mask(pose.heading, observation.odometry.v);
@@ -64,7 +66,7 @@ class VfhPlus {
     const double reach = platform_.body.radius + options_.enlarge;
     for (const Vec2& point : points_) {
       const double distance = point.norm();
-      const double share = distance / options_.window;
+      const double share = distance / reach_;
       const double bearing = heading + angle_of(point.y(), point.x());
       const double sine = std::min(1.0, reach / distance);
       const double half = angle_of(sine, std::sqrt(1 - sine * sine));
@@ -160,6 +162,7 @@ class VfhPlus {
   Steering steering_;
   TrapWatch trap_;
   double sector_;
+  double reach_ = 0;  ///< farther points do not count now [m]
   std::vector<double> density_;
   std::vector<char> blocked_;
   std::vector<char> masked_;
