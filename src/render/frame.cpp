@@ -110,7 +110,7 @@ std::string text(const Frame& frame) {
   return pen.out;
 }
 
-std::string frame_difference(const Frame& before, const Frame& after, int left, int top) {
+std::string frame_changes(const Frame& before, const Frame& after, int left, int top) {
   const bool anew = before.columns != after.columns || before.rows != after.rows || before.mode != after.mode;
   Pen pen(after.mode);
   for (int row = 0; row < after.rows; ++row) {
@@ -126,9 +126,13 @@ std::string frame_difference(const Frame& before, const Frame& after, int left, 
       cursor = column + 1;
     }
   }
-  if (pen.out.empty()) return {};
   pen.reset();
-  return "\x1b[?2026h" + pen.out + "\x1b[?2026l";
+  return pen.out;
+}
+
+std::string frame_difference(const Frame& before, const Frame& after, int left, int top) {
+  const std::string changes = frame_changes(before, after, left, top);
+  return changes.empty() ? changes : "\x1b[?2026h" + changes + "\x1b[?2026l";
 }
 
 }  // namespace meander

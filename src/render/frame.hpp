@@ -42,4 +42,7 @@ std::string text(const Frame& frame);
 /// (left, top), counted from 1. Empty when nothing changed. In ascii mode cursor moves are the only escape codes.
 std::string frame_difference(const Frame& before, const Frame& after, int left = 1, int top = 1);
 
+/// The same without the synchronised update around it.
+std::string frame_changes(const Frame& before, const Frame& after, int left = 1, int top = 1);
+
 }  // namespace meander

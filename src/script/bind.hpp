@@ -16,6 +16,7 @@ void bind_matrix(lua_State* L);
 void bind_observation(lua_State* L);
 void bind_sim(lua_State* L);
 void bind_drive(lua_State* L);
+void bind_watch(lua_State* L);
 void bind_run(lua_State* L);
 void bind_robot(lua_State* L);
 void bind_sensor(lua_State* L);

@@ -3,22 +3,12 @@
 #include <lauxlib.h>
 
 #include "geometry/angle.hpp"
+#include "script/any.hpp"
 #include "script/bind.hpp"
 #include "script/help_text.hpp"
 #include "script/kit_module.hpp"
 
 namespace meander::script {
-
-/// Any Lua value, left on the stack.
-struct Any {
-  lua_State* L;
-  int index;
-};
-template <>
-struct Lua<Any> {
-  static Any read(lua_State* L, int index, const Path&) { return {L, index}; }
-  static std::string type() { return "any"; }
-};
 
 namespace {
 

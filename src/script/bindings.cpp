@@ -20,6 +20,7 @@ void bind_all(lua_State* L) {
   bind_baselines(L);
   bind_sim(L);
   bind_drive(L);
+  bind_watch(L);
   bind_run(L);
   bind_robot(L);
   bind_sensor(L);

@@ -2,15 +2,13 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "script/picture.hpp"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <cstdlib>
 
 #include "render/draw_run.hpp"
 #include "render/draw_world.hpp"
 #include "render/picture_file.hpp"
 #include "render/terminal.hpp"
+#include "script/terminal_device.hpp"
 
 namespace meander::script {
 namespace {
@@ -20,11 +18,10 @@ std::string environment(const char* name) {
   return value ? value : "";
 }
 
-TerminalSize terminal_size() {
-  winsize size{};
-  if (isatty(STDOUT_FILENO) && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 2)
-    return {std::min<int>(size.ws_col, 1000), std::min<int>(size.ws_row - 2, 1000)};  // room for the prompt
-  return {};
+/// Room for a still picture: the prompt follows it.
+TerminalSize still_size() {
+  const auto window = window_size();
+  return window ? TerminalSize{window->columns, std::max(1, window->rows - 2)} : TerminalSize{};
 }
 
 }  // namespace
@@ -39,27 +36,18 @@ DrawList picture_of(const Sim& sim) {
   for (const Pole& moving : sim.scene().moving) list.items.push_back(DrawDisc{moving.disc, colors.mover, Mark::mover});
   for (std::size_t i = 0; i < sim.robot_count(); ++i) {
     const RobotOptions& options = sim.robot(i);
-    draw_scan(list, options.platform.sonar, options.sonar, sim.state(i).pose_world, sim.observation(i).readings.sonar);
+    draw_scan(list, look_of(options), sim.state(i).pose_world, sim.observation(i).readings.sonar, colors);
     draw_robot(list, sim.state(i).pose_world, options.platform.body.radius, colors);
   }
   return list;
 }
 
-void draw_scan(DrawList& list, const RingLayout& layout, const SonarOptions& sonar, const Pose2& pose,
-               std::span<const double> ranges) {
-  const std::vector<Pose2> transducers = transducer_poses(layout, pose);
-  if (transducers.size() != ranges.size()) return;
-  draw_readings(list, {transducers, ranges, sonar.half_cone, sonar.range_max}, theme(Background::light));
+RobotLook look_of(const RingLayout& ring, const SonarOptions& sonar, double radius) {
+  return {radius, ring, sonar.half_cone, sonar.range_max};
 }
 
-std::vector<Pose2> transducer_poses(const RingLayout& layout, const Pose2& pose) {
-  std::vector<Pose2> poses;
-  for (int i = 0; i < layout.count; ++i) {
-    const double bearing = layout.first + 2 * kPi * i / layout.count;
-    const SinCos t = sin_cos(bearing);
-    poses.push_back(pose * Pose2{layout.radius * t.cos, layout.radius * t.sin, wrap_angle(bearing)});
-  }
-  return poses;
+RobotLook look_of(const RobotOptions& robot) {
+  return look_of(robot.platform.sonar, robot.sonar, robot.platform.body.radius);
 }
 
 DrawList picture_of(const Run& run, const World& world) {
@@ -79,14 +67,18 @@ DrawList picture_of(const Run& run, const World& world) {
   return list;
 }
 
+TerminalEnvironment terminal_environment(const Call& call) {
+  return {.is_terminal = session(call.L).terminal,
+          .term = environment("TERM"),
+          .colorterm = environment("COLORTERM"),
+          .no_color = environment("NO_COLOR"),
+          .force_color = environment("CLICOLOR_FORCE"),
+          .graphics = environment("MEANDER_GRAPHICS")};
+}
+
 std::string terminal_picture(const DrawList& list, const Call& call) {
-  const TerminalMode mode = terminal_mode({.is_terminal = session(call.L).terminal,
-                                           .term = environment("TERM"),
-                                           .colorterm = environment("COLORTERM"),
-                                           .no_color = environment("NO_COLOR"),
-                                           .force_color = environment("CLICOLOR_FORCE"),
-                                           .graphics = environment("MEANDER_GRAPHICS")});
-  const std::string picture = text(terminal_frame(list, terminal_size(), mode));
+  const TerminalMode mode = terminal_mode(terminal_environment(call));
+  const std::string picture = text(terminal_frame(list, still_size(), mode));
   return mode == TerminalMode::ascii ? picture + legend(list) + "\n" : picture;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
-#include <span>
 #include <string>
 #include <vector>
 
 #include "render/draw_list.hpp"
+#include "render/draw_scan.hpp"
+#include "render/terminal_caps.hpp"
 #include "script/kit_call.hpp"
 #include "script/objects.hpp"
 
@@ -17,12 +18,12 @@ DrawList picture_of(const Sim& sim);
 /// The way through the world.
 DrawList picture_of(const Run& run, const World& world);
 
-/// Adds the cones of one scan that was taken at a pose.
-void draw_scan(DrawList& list, const RingLayout& layout, const SonarOptions& sonar, const Pose2& pose,
-               std::span<const double> ranges);
-/// Where the transducers of a ring are when the robot is at a pose.
-std::vector<Pose2> transducer_poses(const RingLayout& layout, const Pose2& pose);
+/// What a picture must know of a robot.
+RobotLook look_of(const RingLayout& ring, const SonarOptions& sonar, double radius);
+RobotLook look_of(const RobotOptions& robot);
 
+/// What the environment says about the terminal that the session writes to.
+TerminalEnvironment terminal_environment(const Call& call);
 /// The picture as text for the terminal that the session writes to, as large as it is.
 std::string terminal_picture(const DrawList& list, const Call& call);
 

@@ -45,7 +45,8 @@ std::tuple<std::optional<double>, std::optional<Thing>, std::optional<Vec2>> ray
 
 DrawList picture_of(const Reading& reading) {
   DrawList list = draw_world(*reading.world);
-  draw_scan(list, reading.layout, reading.sonar, reading.pose, reading.ranges);
+  const RobotLook look = look_of(reading.layout, reading.sonar, reading.body_radius);
+  draw_scan(list, look, reading.pose, reading.ranges, theme(Background::light));
   draw_robot(list, reading.pose, reading.body_radius, theme(Background::light));
   return list;
 }

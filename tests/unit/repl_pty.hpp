@@ -51,8 +51,6 @@ class Terminal {
   int interrupt_until_exit();
   /// The same in what came since the last wait of this kind, escape sequences included.
   std::string wait_for_raw(const std::string& text);
-  /// Lets the program go on after Ctrl-Z.
-  void resume();
   void kill_with(int signal);
   /// Line editing and echo are left to the terminal, as before the program ran.
   bool is_cooked() const;

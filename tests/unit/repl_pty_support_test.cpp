@@ -192,13 +192,6 @@ std::string Terminal::wait_for_raw(const std::string& text) {
   }
 }
 
-void Terminal::resume() {
-  int status = 0;
-  waitpid(child_, &status, WUNTRACED);
-  if (!WIFSTOPPED(status)) throw std::runtime_error("the program did not stop");
-  kill_with(SIGCONT);
-}
-
 void Terminal::kill_with(int signal) { kill(child_, signal); }
 
 bool Terminal::is_cooked() const {
