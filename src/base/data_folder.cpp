@@ -39,9 +39,9 @@ std::vector<std::string> beside_program(const std::string& name) {
 
 std::string data_folder() {
   if (const char* folder = std::getenv("MEANDER_DATA_DIR"); folder && *folder) return folder;
-  const std::vector<std::string> paths = beside_program("share/meander");
-  const auto found = std::find_if(paths.begin(), paths.end(), exists);
-  return found == paths.end() ? std::string() : *found;
+  for (const std::string& path : beside_program("share/meander"))
+    if (std::error_code ignored; fs::exists(path, ignored)) return fs::canonical(path, ignored).string();
+  return {};
 }
 
 std::optional<std::string> find_file(const std::string& path) {

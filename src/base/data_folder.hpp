@@ -12,7 +12,7 @@ namespace meander {
 std::vector<std::string> beside_program(const std::string& name);
 
 /// The folder of the worlds and examples that come with the program: $MEANDER_DATA_DIR, else share/meander beside the
-/// program. Empty where there is neither.
+/// program, which in a build tree leads to the checkout. Empty where there is neither.
 std::string data_folder();
 
 /// The file or folder that a user means by `path`: the one of this name, else the one of this name in the data folder.

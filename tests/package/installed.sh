@@ -26,6 +26,10 @@ say "an example that comes with it, and what it leaves"
 meander examples/first_run.lua --out here >/dev/null
 for suffix in svg png csv jsonl; do [ -s "here/first_run.$suffix" ] || fail "no here/first_run.$suffix"; done
 
+say "the same in a sandbox"
+meander --sandbox examples/first_run.lua --out confined >/dev/null
+cmp here/first_run.csv confined/first_run.csv
+
 say "a world there and back through a picture"
 meander convert worlds/office.toml office.png >/dev/null
 meander convert office.png office.toml 2>/dev/null | grep -q '^world ' || fail "the picture was not read"
