@@ -918,6 +918,97 @@ function navigator:reset() end
 ---```
 function guide:reset() end
 
+---@class meander.polar.vfh_plus.options.steering
+---@field turn_gain? number turning rate per radian of heading error [1/s]; 1.5 when left out
+---@field margin? number hull distance that braking keeps free [m]; 0.05 when left out
+---@field headway? number way that braking leaves besides: so many seconds at the present speed [s]; 0.2 when left out
+---@field caution? number hull distance below which the speed falls [m]; 0.3 when left out
+
+---@class meander.polar.vfh_plus.options.memory
+---@field scans? integer how many scans are remembered; 10 when left out
+---@field range_min? number least range of the sonars: what reads so near may touch the hull [m]; 0.152 when left out
+---@field range_max? number a reading from here on is no echo [m]; 6.477 when left out
+---@field saturated_gap? number a reading at the least range counts as a point this far from the hull [m]; 0.04 when left out
+---@field contradictions? integer newer beams through a point that make it forgotten; 0: never; 2 when left out
+---@field contradiction_angle? number how far off a beam's axis its range still tells that a place is free [rad]; 0.139626 when left out
+
+---@class meander.polar.vfh_plus.options
+---@field robot? meander.robot_name|meander.polar.potential_field.options.robot kind of robot that it drives
+---@field sectors? integer of the histogram; 72 when left out
+---@field window? number what is farther does not count [m]; 2 when left out
+---@field enlarge? number by how much more than the robot's radius obstacles are enlarged [m]; 0.12 when left out
+---@field low? number a sector is free when its density is below this; 0.6 when left out
+---@field high? number and blocked above this; between them it stays what it was; 1.2 when left out
+---@field wide_valley? integer openings of more sectors than this have two edges to drive along [sectors]; 16 when left out
+---@field goal_weight? number cost of turning away from the subgoal; 5 when left out
+---@field heading_weight? number cost of turning; 2 when left out
+---@field previous_weight? number cost of another direction than the last; 2 when left out
+---@field patience? number trapped after so long without progress [s]; 15 when left out
+---@field progress? number what counts as progress towards the subgoal [m]; 0.1 when left out
+---@field steering? meander.polar.vfh_plus.options.steering how the direction is driven
+---@field memory? meander.polar.vfh_plus.options.memory what is remembered of the sonar
+
+---VFH+: a polar histogram of what was seen lately, from which free directions are picked by cost.
+---
+---Fails on a number out of range.
+---
+---```lua
+---print(meander.polar.vfh_plus { window = 1.5 })
+---```
+---@param options? meander.polar.vfh_plus.options the robot it drives, and the method
+---@return navigator # the navigator
+function meander.polar.vfh_plus(options) end
+
+---@class meander.polar.dynamic_window.options
+---@field robot? meander.robot_name|meander.polar.potential_field.options.robot kind of robot that it drives
+---@field speeds? integer forward speeds tried in the window; 11 when left out
+---@field turns? integer turning rates tried in the window; 21 when left out
+---@field heading_weight? number of facing the subgoal in the end; 2 when left out
+---@field distance_weight? number of the free way along the arc; 0.2 when left out
+---@field speed_weight? number of going fast; 0.2 when left out
+---@field margin? number hull distance that counts as contact [m]; 0.05 when left out
+---@field reach? number a longer free way is not worth more [m]; 2 when left out
+---@field patience? number trapped after so long without progress [s]; 15 when left out
+---@field progress? number what counts as progress towards the subgoal [m]; 0.1 when left out
+---@field memory? meander.polar.vfh_plus.options.memory what is remembered of the sonar
+
+---The dynamic window approach: of the velocities in reach, the best sum of heading, free way, speed.
+---
+---Fails on a number out of range.
+---
+---```lua
+---print(meander.polar.dynamic_window { heading_weight = 1 })
+---```
+---@param options? meander.polar.dynamic_window.options the robot it drives, and the method
+---@return navigator # the navigator
+function meander.polar.dynamic_window(options) end
+
+---@class meander.polar.tangent_bug.options
+---@field robot? meander.robot_name|meander.polar.potential_field.options.robot kind of robot that it drives
+---@field directions? integer in which the free way is looked at; 72 when left out
+---@field reach? number how far the readings are trusted [m]; 2.5 when left out
+---@field clearance? number hull distance at which walls are passed [m]; 0.08 when left out
+---@field jump? number neighbours whose free ways differ by more are the end of an obstacle [m]; 0.3 when left out
+---@field constancy? number another end is taken only when its way is shorter by this [m]; 0.2 when left out
+---@field follow_look? number free way that makes a direction good enough along a wall [m]; 0.7 when left out
+---@field leave? number a wall is left when a place so much nearer to the subgoal than any of it is in reach [m]; 0.15 when left out
+---@field loop? number coming so near to where following began means that there is no way [m]; 0.5 when left out
+---@field patience? number trapped after so long at the same place [s]; 15 when left out
+---@field progress? number what counts as another place [m]; 0.3 when left out
+---@field steering? meander.polar.vfh_plus.options.steering how the direction is driven
+---@field memory? meander.polar.vfh_plus.options.memory what is remembered of the sonar
+
+---TangentBug: to the subgoal past the ends of what is in the way, else along walls.
+---
+---Fails on a number out of range.
+---
+---```lua
+---print(meander.polar.tangent_bug { reach = 2 })
+---```
+---@param options? meander.polar.tangent_bug.options the robot it drives, and the method
+---@return navigator # the navigator
+function meander.polar.tangent_bug(options) end
+
 ---Simulation: commands in, observations out.
 meander.sim = {}
 
@@ -1036,7 +1127,7 @@ function sim:hash() end
 ---@param path string file name; the suffix says what is written
 function sim:save(path) end
 
----@alias meander.navigator_name 'potential_field'
+---@alias meander.navigator_name 'polar'|'potential_field'|'vfh_plus'|'dynamic_window'|'tangent_bug'
 
 ---@class sim.drive.options.pilots
 ---@field navigator? meander.navigator_name|navigator|fun(observation: observation, subgoal: any): ...any|table<string, function> who drives
@@ -1400,7 +1491,7 @@ function show(object) end
 ---```lua
 ---help 'sim:drive'
 ---```
----@param what any a function, module or object of meander, or a name; everything when left out
+---@param what? any a function, module or object of meander, or a name; everything when left out
 function help(what) end
 
 ---Lists everything whose name, description or options contain a word.

@@ -19,11 +19,15 @@ struct Explained {
 };
 
 constexpr std::array kVariables = {
+    Explained{"CLICOLOR_FORCE", "when set and not 0, colours even into a pipe"},
+    Explained{"COLORTERM", "when truecolor or 24bit, the terminal has all colours"},
     Explained{"EDITOR", "what the prompt's .edit opens, where VISUAL is not set"},
     Explained{"HOME", "where the folders of XDG_CONFIG_HOME and XDG_STATE_HOME are when these are not set"},
+    Explained{"MEANDER_DATA_DIR", "where the worlds and examples that come with the program are"},
     Explained{"MEANDER_GRAPHICS",
               "how pictures are shown: kitty, sixel, blocks or ascii; asked of the terminal when not set"},
     Explained{"NO_COLOR", "when not empty, no colours and no escape codes"},
+    Explained{"PATH", "where .edit looks for the editor"},
     Explained{"TERM", "when dumb, plain text only"},
     Explained{"VISUAL", "what the prompt's .edit opens"},
     Explained{"XDG_CONFIG_HOME", "where the start-up file is looked for, ~/.config when not set"},

@@ -24,20 +24,21 @@ void show(const Any& value, const Call& call) {
   call.write(read_text(value.L, -1, Path{.kind = Path::Kind::value, .name = "__show"}));
 }
 
-void help(const Any& value, const Call& call) {
-  const Docs& docs = session(call.L).docs;
-  if (lua_isnoneornil(value.L, value.index)) return call.write(overview_text(docs));
-  const Record* record = nullptr;
-  if (lua_type(value.L, value.index) == LUA_TSTRING) {
-    const std::string name = lua_tostring(value.L, value.index);
-    record = find_record(docs, name);
-    if (!record) fail("nothing is known about '{}'{}", name.substr(0, 60), did_you_mean(name, record_names(docs)));
-  } else {
-    record = record_of(value.L, value.index);
+const Record* record_meant(const Any& what, const Docs& docs) {
+  if (lua_type(what.L, what.index) != LUA_TSTRING) {
+    const Record* record = record_of(what.L, what.index);
+    if (record) return record;
+    fail("a name, a function of meander or one of its objects expected, got {}", describe(what.L, what.index));
   }
-  if (!record)
-    fail("a name, a function of meander or one of its objects expected, got {}", describe(value.L, value.index));
-  call.write(help_text(docs, *record));
+  const std::string name = lua_tostring(what.L, what.index);
+  const Record* record = find_record(docs, name);
+  if (!record) fail("nothing is known about '{}'{}", name.substr(0, 60), did_you_mean(name, record_names(docs)));
+  return record;
+}
+
+void help(const std::optional<Any>& what, const Call& call) {
+  const Docs& docs = session(call.L).docs;
+  call.write(what ? help_text(docs, *record_meant(*what, docs)) : overview_text(docs));
 }
 
 void apropos(const std::string& word, const Call& call) {

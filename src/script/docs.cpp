@@ -22,9 +22,11 @@ std::string Record::name() const {
   return owner + (kind == DocKind::method ? ":" : ".") + member;
 }
 
+bool Record::takes_options() const { return arguments.size() == 1 && arguments[0].type == "table"; }
+
 std::string Record::signature() const {
   if (kind != DocKind::function && kind != DocKind::method) return name();
-  if (arguments.size() == 1 && !arguments[0].options.empty()) return name() + " { options }";
+  if (takes_options()) return name() + " { options }";
   std::string text = name() + "(";
   bool first = true;
   for (const ArgumentDoc& argument : arguments) {

@@ -50,6 +50,8 @@ struct Record {
 
   /// "meander.sim.new", "sim:drive", "run.length", "world", "show".
   std::string name() const;
+  /// Is a table of options its only argument?
+  bool takes_options() const;
   /// The name with its arguments: "world:rename(thing, name)".
   std::string signature() const;
 };

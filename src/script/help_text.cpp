@@ -140,12 +140,16 @@ std::string overview_text(const Docs& docs) {
     if (record.kind == DocKind::function && record.owner.empty()) functions.push_back(&record);
   }
   return "functions\n" + list_text(functions) + "modules\n" + list_text(modules) + "objects\n" + list_text(types) +
-         "help(x) tells more about a function, module, object or name, apropos(word) finds names.\n";
+         "help(x) tells more about a function, module, object or name: help 'world', help 'sim:drive'.\n"
+         "apropos(word) finds names. The folder examples has whole scripts; in a shell, 'meander test' runs\n"
+         "scripted tests and 'meander doc' tells what help tells.\n";
 }
 
 const Record* find_record(const Docs& docs, std::string_view name) {
   const Record* record = docs.find(name);
-  return record ? record : docs.find("meander." + std::string(name));
+  const Record* of_module = docs.find("meander." + std::string(name));
+  const bool method_with_dot = record && record->kind == DocKind::method && name.find(':') == std::string_view::npos;
+  return of_module && (!record || method_with_dot) ? of_module : record;  // at the prompt modules are plain names
 }
 
 std::vector<std::string> record_names(const Docs& docs) {

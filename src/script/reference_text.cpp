@@ -89,8 +89,7 @@ void add_options(std::string& text, const std::vector<OptionDoc>& options, const
 
 void add_arguments(std::string& text, const Record& record) {
   std::set<std::string> shown;
-  const bool only_options = record.arguments.size() == 1 && !record.arguments[0].options.empty();
-  if (only_options) {
+  if (record.takes_options()) {
     text += fmt::format("\nOptions: {}.\n", prose(record.arguments[0].text));
     return add_options(text, record.arguments[0].options, "", shown);
   }

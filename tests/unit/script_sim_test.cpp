@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #include <gtest/gtest.h>
 
+#include "autonomy/navigators.hpp"
 #include "script/bindings.hpp"
 #include "script_state.hpp"
 
@@ -165,7 +166,9 @@ TEST_F(SimScript, ErrorsInCallbacksKeepTheirPlace) {
 }
 
 TEST_F(SimScript, MessagesOfTheCommonMistakes) {
-  const std::pair<const char*, const char*> cases[] = {
+  std::string navigators;
+  for (const std::string& name : navigator_names()) navigators += (navigators.empty() ? "'" : ", '") + name + "'";
+  const std::pair<const char*, std::string> cases[] = {
       {"meander.sim.new { world = w, sede = 3 }",
        "1: meander.sim.new: unknown option 'sede'; did you mean 'seed'? (known: world, robot, sonar, drift, start, "
        "robots, seed, period, period_jitter, command_delay)"},
@@ -187,8 +190,9 @@ TEST_F(SimScript, MessagesOfTheCommonMistakes) {
        "expected"},
       {"new { start = 'hal' }", "8: meander.sim.new: no 'hal' in this world; did you mean 'hall'?"},
       {"sim:drive { navigator = 'potential_feld', subgoals = { 'hall' } }",
-       "1: sim:drive: option 'navigator': unknown value 'potential_feld', one of 'potential_field'; did you mean "
-       "'potential_field'?"},
+       "1: sim:drive: option 'navigator': unknown value 'potential_feld', one of " + navigators +
+           "; did you mean "
+           "'potential_field'?"},
       {"sim:drive { navigator = home, subgoals = { 'hal' } }",
        "1: sim:drive: no 'hal' in this world; did you mean 'hall'?"},
       {"sim:drive { navigator = home, subgoals = { 'rim' } }",
