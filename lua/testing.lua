@@ -11,6 +11,7 @@ local testing = {
   seed = 1,  -- of math.random and of every test, from --seed
   expect = expect.new,
   matcher = expect.matcher,
+  matchers = expect.names,
 }
 
 local root = { before = {}, after = {} }

@@ -11,7 +11,8 @@ local matchers = {}  -- name -> function(expectation, ...): did it hold, and wha
 local idle = {}      -- expectation without a matcher so far -> where it was written
 local Expectation = {}
 
-local function matcher_names()
+--- The names of all matchers, sorted.
+function expect.names()
   local names = { "never" }
   for name in next, matchers do names[#names + 1] = name end
   table.sort(names)
@@ -67,8 +68,7 @@ function Expectation.__index(self, name)
     return self
   end
   if matchers[name] then return matchers[name] end
-  local names = matcher_names()
-  raise(("no matcher '%s'%s"):format(tostring(name), did_you_mean(tostring(name), names)))
+  raise(("no matcher '%s'%s"):format(tostring(name), did_you_mean(tostring(name), expect.names())))
 end
 
 -- expect(x):never():equals(1) and expect(x).never:equals(1) mean the same.

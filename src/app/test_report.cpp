@@ -97,7 +97,7 @@ class TapReport {
 
   void add(const TestRecord& record) {
     const bool failed = record.outcome.kind == Kind::failed;
-    fmt::print("{} {} - {}{}\n", failed ? "not ok" : "ok", ++number_, description(record),
+    fmt::print("{} {}{}{}\n", failed ? "not ok" : "ok", ++number_, description(record),
                record.outcome.kind == Kind::skipped ? " # SKIP " + one_line(record.outcome.text) : "");
     if (failed) print_yaml(record);
     std::fflush(stdout);
@@ -114,7 +114,7 @@ class TapReport {
   static std::string description(const TestRecord& record) {
     std::string text;
     for (const char c : one_line(record.planned.test.name())) text += c == '#' ? std::string("\\#") : std::string(1, c);
-    return text;
+    return text.empty() ? text : " - " + text;
   }
 
   static void print_list(const char* key, const std::vector<std::string>& lines) {

@@ -3,8 +3,10 @@
 #include "app/test_run.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <thread>
 
+#include "app/confine.hpp"
 #include "app/test_jobs.hpp"
 
 namespace meander {
@@ -21,6 +23,14 @@ std::size_t job_count(const TestOptions& options) {
 
 TestFile test_file(const TestOptions& options, const std::string& path) {
   return {path, options.arguments, options.seed};
+}
+
+/// For a child: walls around it, for good. A file may read what lies beside it.
+void settle(const TestOptions& options, const std::string& path) {
+  const auto& sandbox = options.interpreter.sandbox;
+  if (!sandbox) return;
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  confine(*sandbox, {path, folder, options.interpreter.lua_dir});
 }
 
 /// Why a process has no result to show.
@@ -69,6 +79,7 @@ double timeout_of(const TestOptions& options, const TestCase& test) {
 
 TestJob job_of(const TestOptions& options, const PlannedTest& planned) {
   return {[&options, &planned] {
+            settle(options, planned.file);
             Interpreter lua(options.interpreter);
             return script::run_test(lua, test_file(options, planned.file), planned.index, planned.test.name());
           },
@@ -107,6 +118,7 @@ std::optional<std::vector<PlannedTest>> plan_tests(const TestOptions& options, c
   std::vector<TestJob> jobs;
   for (const std::string& path : files)
     jobs.push_back({[&options, &path] {
+                      settle(options, path);
                       Interpreter lua(options.interpreter);
                       return script::list_tests(lua, test_file(options, path));
                     },
