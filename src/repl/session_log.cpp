@@ -4,18 +4,27 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
 
 namespace meander::repl {
 namespace {
 
 bool part_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// `_` as a name of its own.
-bool mentions_last_value(const std::string& text) {
-  for (std::size_t at = text.find('_'); at != std::string::npos; at = text.find('_', at + 1)) {
+/// `for _, x in` and `local _` make a `_` of their own.
+bool declares(std::string_view before, std::string_view after) {
+  const auto skip = [](std::string_view text) { return text.find_first_not_of(" \t\n"); };
+  before = before.substr(0, before.find_last_not_of(" \t\n") + 1);
+  after.remove_prefix(std::min(skip(after), after.size()));
+  return before.ends_with("for") || before.ends_with("local") || after.starts_with("in ");
+}
+
+/// `_` as a name of its own, to be read.
+bool mentions_last_value(std::string_view text) {
+  for (std::size_t at = text.find('_'); at != std::string_view::npos; at = text.find('_', at + 1)) {
     const bool starts = at == 0 || !part_of_name(text[at - 1]);
     const bool ends = at + 1 == text.size() || !part_of_name(text[at + 1]);
-    if (starts && ends) return true;
+    if (starts && ends && !declares(text.substr(0, at), text.substr(at + 1))) return true;
   }
   return false;
 }
@@ -57,7 +66,7 @@ std::string SessionLog::script(const std::vector<std::string>& modules) const {
     if (entry.interrupted)
       text += as_comment(entry.text);
     else if (value_used)
-      text += "_ = " + entry.text + "\n";
+      text += "_ = " + entry.text + "\n" + (entry.statement ? "" : "print(_)\n");
     else if (entry.value && !entry.statement)
       text += "print(" + entry.text + ")\n";
     else

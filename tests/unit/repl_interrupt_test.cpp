@@ -6,7 +6,10 @@
 
 #include <chrono>
 #include <cstdio>
+#include <fstream>
+#include <string_view>
 
+#include "base/random.hpp"
 #include "repl/prompt.hpp"
 #include "repl_pty.hpp"
 #include "script/interpreter.hpp"
@@ -46,6 +49,19 @@ struct Endless {
   const char* code;
 };
 
+/// A simulation whose robot cannot get anywhere, but tries.
+constexpr const char* kWalledIn =
+    "function parked() local w = world.new { bounds = {{0, 0}, {10, 10}}, start = {2, 2, 0} } "
+    "w:add_box { center = {5, 5}, size = {0.2, 9.9} } return sim.new { world = w } end";
+/// A picture that takes long to trace: every pixel by chance.
+void write_noise(const std::string& path) {
+  constexpr int kSide = 2000;
+  Stream random(1, "noise");
+  std::string pixels(static_cast<std::size_t>(kSide) * kSide, '\0');
+  for (char& pixel : pixels) pixel = random.below(2) ? '\xff' : '\0';
+  std::ofstream(path, std::ios::binary) << "P5 " << kSide << ' ' << kSide << " 255\n" << pixels;
+}
+
 class Interrupt : public testing::TestWithParam<Endless> {};
 
 TEST_P(Interrupt, ReturnsToThePromptWithTheStateKept) {
@@ -53,6 +69,9 @@ TEST_P(Interrupt, ReturnsToThePromptWithTheStateKept) {
   Terminal t(home.path(), prompt_with_long_call);
   t.wait_for("> ");
   t.enter("kept = 41 function endless() while true do end end");
+  t.enter(kWalledIn);
+  t.enter("sample = {} for i = 1, 100000 do sample[i] = i end");
+  if (std::string_view(GetParam().name) == "Import") write_noise(home / "noise.pgm");
   for (int round = 0; round < 2; ++round) {
     t.send(std::string("print 'begun' ") + GetParam().code + "\r");
     t.wait_for("begun\r\n");
@@ -85,6 +104,17 @@ constexpr Endless kEndless[] = {
     {"NativeCall", "compute_for_ever()"},
     {"NativeCallInPcall", "while true do pcall(compute_for_ever) end"},
     {"NativeCallInACoroutine", "while true do coroutine.resume(coroutine.create(compute_for_ever)) end"},
+    {"Drive",
+     "parked():drive { navigator = 'potential_field', subgoals = {{9, 9}}, time_limit = 1e9, when_trapped = 'insist' "
+     "}"},
+    {"DriveByLua",
+     "parked():drive { navigator = function() return 0, 0 end, subgoals = {{9, 9}}, time_limit = 1e9, record_every = 0 "
+     "}"},
+    {"DriveInPcall", "while true do pcall(parked().drive, parked(), { navigator = endless, subgoals = {{9, 9}} }) end"},
+    {"Trials", "study.trials { count = 1000000, trial = function() return 1 end }"},
+    {"EndlessTrial", "study.trials { count = 2, trial = endless }"},
+    {"Bootstrap", "study.bootstrap_mean(sample, { resamples = 1000000 })"},
+    {"Import", "while true do pcall(world.import, 'noise.pgm', { resolution = 0.05 }) end"},
 };
 
 INSTANTIATE_TEST_SUITE_P(, Interrupt, testing::ValuesIn(kEndless),

@@ -90,7 +90,7 @@ TEST_P(SessionFiles, ScriptsAreLoadedAndSaved) {
   EXPECT_EQ(t.enter(".save part.lua"), "'part.lua' exists already; choose another name\r\n");
   EXPECT_EQ(t.enter(".save all.lua"), "saved as 'all.lua'\r\n");
   EXPECT_EQ(file_text("all.lua"),
-            "world = meander.world\ndofile(\"part.lua\")\n_ = part * 2\nbetween = 1\ntwice = _\n"
+            "world = meander.world\ndofile(\"part.lua\")\n_ = part * 2\nprint(_)\nbetween = 1\ntwice = _\n"
             "world.new {}:names()\n-- interrupted: print 'begun' while true do end\n");
   Terminal again(home.path(), program({"-i", "--no-rc", "all.lua"}), environment());
   again.wait_for("> ");
