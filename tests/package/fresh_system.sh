@@ -40,7 +40,7 @@ inside() { env -i HOME=/root TERM=dumb LANG=C.UTF-8 DEBIAN_FRONTEND=noninteracti
   chroot "$root" bash -euo pipefail -c "mkdir -p /root/work && cd /root/work && $1"; }
 
 step "apt installs it"
-inside "apt-get -qq update && apt-get -qq -y install --no-install-recommends /tmp/meander.deb >/tmp/apt.log 2>&1 || { cat /tmp/apt.log; exit 1; }"
+inside "apt-get -qq update && apt-get -qq -y -o Dpkg::Use-Pty=0 install --no-install-recommends /tmp/meander.deb >/tmp/apt.log 2>&1 || { cat /tmp/apt.log; exit 1; }"
 
 step "and it works there"
 inside "meander --version"
@@ -48,8 +48,8 @@ inside "meander examples/first_run.lua && ls -l out"
 inside "meander convert worlds/office.toml office.png && meander convert office.png office.toml"
 inside "printf '1 + 1\nworld.open \"worlds/office.toml\"\n' | meander -i --no-rc"
 inside "bash -c '. /usr/share/bash-completion/completions/meander && complete -p meander'"
-inside "apt-get -qq -y install --no-install-recommends man-db >/dev/null 2>&1 && man -w meander"
+inside "apt-get -qq -y -o Dpkg::Use-Pty=0 install --no-install-recommends man-db >/dev/null 2>&1 && man -w meander"
 
 step "and leaves nothing behind"
-inside "apt-get -qq -y purge meander >/dev/null && ! command -v meander && ! ls -d /usr/share/meander /usr/lib/meander 2>/dev/null"
+inside "apt-get -qq -y -o Dpkg::Use-Pty=0 purge meander >/dev/null && ! command -v meander && ! ls -d /usr/share/meander /usr/lib/meander 2>/dev/null"
 echo "fresh_system.sh: passed"
