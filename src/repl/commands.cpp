@@ -28,10 +28,11 @@ constexpr std::array kCommands = {
 };
 
 constexpr const char* kKeys = R"(
-Type Lua. An expression shows its value, which is then in _ ; modules are plain names: world, sim, ...
-help() says what there is, help(x) what x is, apropos "word" what has to do with something.
-Tab completes names and files, the arrow keys recall what was typed before, Ctrl-R searches it.
-Ctrl-C stops whatever runs and keeps everything; Ctrl-D leaves.
+Type Lua. An expression shows its value, which is then in _ .
+Modules are plain names: world, sim, ...
+help() says what there is, help(x) what x is, apropos "word" what is about it.
+Tab completes names and files; the arrow keys recall what was typed before,
+Ctrl-R searches it. Ctrl-C stops whatever runs and keeps everything; Ctrl-D leaves.
 )";
 
 std::string_view trimmed(std::string_view text) {

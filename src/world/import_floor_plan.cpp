@@ -16,11 +16,12 @@ namespace {
 constexpr int kRosUnknown = 205;
 
 /// Brightness on white paper.
-Grid<std::uint8_t> brightness(const Image& image, double resolution) {
+Grid<std::uint8_t> brightness(const Image& image, double resolution, const Work& work) {
   Grid<std::uint8_t> grid(image.width, image.height, 0, {resolution, {}});
-  for (int y = 0; y < image.height; ++y)
+  for (int y = 0; y < image.height; ++y) {
+    work.poll();
+    const int row = image.height - 1 - y;
     for (int x = 0; x < image.width; ++x) {
-      const int row = image.height - 1 - y;
       int value = grey(image, x, row);
       if (image.channels == 4) {
         const auto at =
@@ -30,6 +31,7 @@ Grid<std::uint8_t> brightness(const Image& image, double resolution) {
       }
       grid[{x, y}] = static_cast<std::uint8_t>(value);
     }
+  }
   return grid;
 }
 
@@ -44,8 +46,9 @@ double otsu_threshold(const Grid<std::uint8_t>& grid) {
 
 Imported import_floor_plan(const std::string& image_path, const FloorPlanOptions& options, const Work& work) {
   validate(options);
-  Grid<std::uint8_t> grid = brightness(read_image(image_path), options.resolution);
+  Grid<std::uint8_t> grid = brightness(read_image(image_path), options.resolution, work);
   const double threshold = options.threshold > 0 ? options.threshold : otsu_threshold(grid);
+  work.poll();
   const std::vector<std::uint8_t> greys = grid.cells();
   for (auto& cell : grid.cells()) cell = (cell < threshold) != options.negate;
   const auto solid = std::count(grid.cells().begin(), grid.cells().end(), 1);
@@ -55,6 +58,7 @@ Imported import_floor_plan(const std::string& image_path, const FloorPlanOptions
       fmt::format("{:.1f} % of the pixels are walls: {} than grey {:g}{}", 100 * share,
                   options.negate ? "not darker" : "darker", threshold,
                   options.threshold > 0 ? "" : " (chosen by Otsu's method)")};
+  work.poll();
   const auto unknown = std::count(greys.begin(), greys.end(), kRosUnknown);
   if (static_cast<double>(unknown) > 0.01 * static_cast<double>(greys.size()))
     report.push_back(fmt::format("{} pixels have grey {}, which ROS maps use for unknown; here they are {}", unknown,
