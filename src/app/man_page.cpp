@@ -25,7 +25,7 @@ constexpr std::array kVariables = {
     Explained{"HOME", "where the folders of XDG_CONFIG_HOME and XDG_STATE_HOME are when these are not set"},
     Explained{"MEANDER_DATA_DIR", "where the worlds and examples that come with the program are"},
     Explained{"MEANDER_GRAPHICS",
-              "how pictures are shown: kitty, sixel, blocks or ascii; asked of the terminal when not set"},
+              "pictures in the terminal: half, ascii, color256 or truecolor; found out when not set"},
     Explained{"NO_COLOR", "when not empty, no colours and no escape codes"},
     Explained{"PATH", "where .edit looks for the editor"},
     Explained{"TERM", "when dumb, plain text only"},
