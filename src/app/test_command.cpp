@@ -42,7 +42,7 @@ int list_names(const std::vector<PlannedTest>& plan) {
   bool broken = false;
   for (const PlannedTest& planned : plan) {
     if (planned.outcome) {
-      complain(fmt::format("{}: {}", one_line(planned.outcome->place), harmless(planned.outcome->text)));
+      complain(fmt::format("{}: {}", planned.outcome->place, planned.outcome->text));
       broken = true;
     } else {
       fmt::print("{}:{}: {}\n", one_line(planned.file), planned.test.line, one_line(planned.test.name()));

@@ -24,6 +24,15 @@ TEST(VisibleText, WritesControlCharactersAsLuaDoes) {
 TEST(VisibleText, WritesWhatIsNoUtf8AsBytes) {
   EXPECT_EQ(visible_text("\xff\x80 \xc3"), "\\255\\128 \\195");
   EXPECT_EQ(visible_text("\xe2\x82"), "\\226\\130");
+  EXPECT_EQ(visible_text("\xe0\x80\xaf"), "\\224\\128\\175");           // longer than needed
+  EXPECT_EQ(visible_text("\xed\xa0\x80"), "\\237\\160\\128");           // half of a pair
+  EXPECT_EQ(visible_text("\xf4\x90\x80\x80"), "\\244\\144\\128\\128");  // beyond the last one
+}
+
+TEST(VisibleText, WritesWhatTurnsTextsRoundOrIsNoCharacterAsBytes) {
+  EXPECT_EQ(visible_text("\xe2\x80\xae"), "\\226\\128\\174");  // right to left from here
+  EXPECT_EQ(visible_text("\xef\xbf\xbf"), "\\239\\191\\191");  // which XML forbids
+  EXPECT_EQ(visible_text("\xef\xbf\xbd"), "\xef\xbf\xbd");
 }
 
 // Whatever the bytes: nothing that is left commands a terminal, and what is left is left alone.
