@@ -89,6 +89,11 @@ local navigator = {}
 ---@field name string Its name.
 local guide = {}
 
+---Drives towards one subgoal by readings and odometry alone.
+---@class navigator
+---@field name string Its name.
+local navigator = {}
+
 ---A simulation: a world, its robots, a clock.
 ---@class sim
 ---@field time number Time since the start. [s]
@@ -100,6 +105,10 @@ local guide = {}
 ---@field state robot The truth about the first robot.
 ---@field robots robot[] The truth about every robot.
 local sim = {}
+
+---Something drawn: show() shows it, meander.render.save writes it.
+---@class picture
+local picture = {}
 
 ---How a drive went: figures, traces, a picture.
 ---@class run
@@ -930,7 +939,7 @@ function guide:reset() end
 ---@field range_max? number a reading from here on is no echo [m]; 6.477 when left out
 ---@field saturated_gap? number a reading at the least range counts as a point this far from the hull [m]; 0.04 when left out
 ---@field contradictions? integer newer beams through a point that make it forgotten; 0: never; 2 when left out
----@field contradiction_angle? number how far off a beam's axis its range still tells that a place is free [rad]; 0.139626 when left out
+---@field contradiction_angle? number how far off a beam's axis its range still tells that a place is free [rad]; 0.1 when left out
 
 ---@class meander.polar.vfh_plus.options
 ---@field robot? meander.robot_name|meander.polar.potential_field.options.robot kind of robot that it drives
@@ -983,6 +992,20 @@ function meander.polar.vfh_plus(options) end
 ---@return navigator # the navigator
 function meander.polar.dynamic_window(options) end
 
+---@class meander.polar.tangent_bug.options.steering
+---@field turn_gain? number turning rate per radian of heading error [1/s]; 1.5 when left out
+---@field margin? number hull distance that braking keeps free [m]; 0.05 when left out
+---@field headway? number way that braking leaves besides: so many seconds at the present speed [s]; 0.2 when left out
+---@field caution? number hull distance below which the speed falls [m]; 0.15 when left out
+
+---@class meander.polar.tangent_bug.options.memory
+---@field scans? integer how many scans are remembered; 30 when left out
+---@field range_min? number least range of the sonars: what reads so near may touch the hull [m]; 0.152 when left out
+---@field range_max? number a reading from here on is no echo [m]; 6.477 when left out
+---@field saturated_gap? number a reading at the least range counts as a point this far from the hull [m]; 0.04 when left out
+---@field contradictions? integer newer beams through a point that make it forgotten; 0: never; 0 when left out
+---@field contradiction_angle? number how far off a beam's axis its range still tells that a place is free [rad]; 0.1 when left out
+
 ---@class meander.polar.tangent_bug.options
 ---@field robot? meander.robot_name|meander.polar.potential_field.options.robot kind of robot that it drives
 ---@field directions? integer in which the free way is looked at; 72 when left out
@@ -995,8 +1018,8 @@ function meander.polar.dynamic_window(options) end
 ---@field loop? number coming so near to where following began means that there is no way [m]; 0.5 when left out
 ---@field patience? number trapped after so long at the same place [s]; 15 when left out
 ---@field progress? number what counts as another place [m]; 0.3 when left out
----@field steering? meander.polar.vfh_plus.options.steering how the direction is driven
----@field memory? meander.polar.vfh_plus.options.memory what is remembered of the sonar
+---@field steering? meander.polar.tangent_bug.options.steering how the direction is driven
+---@field memory? meander.polar.tangent_bug.options.memory what is remembered of the sonar
 
 ---TangentBug: to the subgoal past the ends of what is in the way, else along walls.
 ---
@@ -1008,6 +1031,103 @@ function meander.polar.dynamic_window(options) end
 ---@param options? meander.polar.tangent_bug.options the robot it drives, and the method
 ---@return navigator # the navigator
 function meander.polar.tangent_bug(options) end
+
+---@alias meander.mode_name 'full'|'paper'
+
+---@alias meander.radii_name 'uniform'|'log'
+
+---@alias meander.weights_name 'finite_volume'|'euclidean'|'lattice'
+
+---@class meander.polar.navigator.options.map
+---@field rings? integer rings of units, the centre included; 100 when left out
+---@field sectors? integer units on each ring; 48 when left out
+---@field scope? number radius of the outermost ring [m]; 2.54 when left out
+---@field radii? meander.radii_name equally spaced, or growing by a constant factor; 'uniform' when left out
+---@field innermost? number radius of ring 1 of logarithmic radii [m]; 0.05 when left out
+---@field weights? meander.weights_name weights of the connections; 'finite_volume' when left out
+---@field kappa? number how fast activation decays along a way, with finite volumes [1/m]; 20 when left out
+---@field margin? number units nearer to a point than the robot's radius and this are obstructed [m]; 0.05 when left out
+---@field narrow_margin? number the same, when no activation reaches the robot otherwise [m]; 0.02 when left out
+---@field merge? number remembered points in the same square of this size count once; 0: all count [m]; 0.02 when left out
+
+---@class meander.polar.navigator.options.prediction
+---@field enabled? boolean plan for where the robot will be when the command takes effect; true when left out
+---@field latency? integer cycles until a command takes effect; -1: found out by watching the odometry; -1 when left out
+---@field periods? integer recent control periods in the running average; 8 when left out
+
+---@class meander.polar.navigator.options.solver
+---@field passes? integer sweeps from the target round the map and back; 2 when left out
+---@field exact? boolean sweep until nothing changes any more; false when left out
+
+---@class meander.polar.navigator.options.subgoal
+---@field read_radius? number the direction is that of the most active unit this far from the centre [m]; 0.2 when left out
+---@field hysteresis? number another direction wins only if its way is so much shorter [m]; 0.1 when left out
+---@field hysteresis_sectors? integer directions so few sectors apart are not another direction; 4 when left out
+
+---@class meander.polar.navigator.options.control
+---@field speeds? integer forward speeds tried in the dynamic window; 11 when left out
+---@field turns? integer turning rates tried in the dynamic window; 21 when left out
+---@field hard_margin? number the hull must not come nearer to a point than this [m]; 0.07 when left out
+---@field soft_margin? number nearer than this the robot goes slowly [m]; 0.3 when left out
+---@field heading_cost? number cost of not facing the subgoal in the end [m/rad]; 0.4 when left out
+---@field heading_reach? number nearer to the subgoal than this the heading matters less [m]; 0.15 when left out
+---@field hard_cost? number cost of coming too near [m]; 10 when left out
+---@field hard_base? number share of that cost at standstill; the rest grows with the speed; 0.2 when left out
+---@field hard_samples? number cost of each sample of the trajectory that is too near [m]; 0.2 when left out
+---@field soft_samples? number cost of eight samples in the slow zone [m]; 0.1 when left out
+---@field soft_speed_cost? number cost of driving at full speed above soft_speed in the slow zone [m]; 2 when left out
+---@field soft_speed? number speed in the slow zone that costs nothing [m/s]; 0.3 when left out
+---@field near_margin? number a robot that stands nearer to a point than this is in the slow zone wherever it goes [m]; 0.2 when left out
+---@field sample_step? number distance between samples of a trajectory [m]; 0.05 when left out
+---@field samples? integer samples of a trajectory at most; 12 when left out
+
+---@class meander.polar.navigator.options.trap
+---@field watch? boolean notice being trapped; true when left out
+---@field patience? number trapped after so long without progress [s]; 15 when left out
+---@field progress? number what counts as progress towards the subgoal [m]; 0.1 when left out
+---@field escapes? integer tries to get out by a temporary target, before the guide is told; 6 when left out
+---@field escape_time? number how long a temporary target holds; half as long again for those to the rear [s]; 8 when left out
+
+---@class meander.polar.navigator.options.own
+---@field weights? fun(ring: any): ...any function(ring): weights {inward =, outward =, lateral =, leak =} of a ring
+---@field objective? fun(candidate: any): ...any function(candidate): its cost; the least is taken
+---@field subgoal? fun(map: any): ...any function(map): ring and sector of the subgoal, or nil: no way
+
+---@class meander.polar.navigator.options
+---@field robot? meander.robot_name|meander.polar.potential_field.options.robot kind of robot that it drives
+---@field mode? meander.mode_name with the remedies beyond the paper, or without them; 'full' when left out
+---@field map? meander.polar.navigator.options.map the polar map
+---@field memory? meander.polar.vfh_plus.options.memory the short-term memory
+---@field prediction? meander.polar.navigator.options.prediction prediction of the configuration
+---@field solver? meander.polar.navigator.options.solver how the equilibrium is found
+---@field subgoal? meander.polar.navigator.options.subgoal how the subgoal is read off
+---@field control? meander.polar.navigator.options.control motion control
+---@field trap? meander.polar.navigator.options.trap trapped: when, and what then
+---@field own? meander.polar.navigator.options.own parts of one's own, as functions
+
+---The polar neural map navigator: sonar memory, prediction, polar map, motion control.
+---
+---Fails on a number out of range; own weights without a stable equilibrium.
+---
+---```lua
+---print(meander.polar.navigator { map = { rings = 100, sectors = 32 } })
+---```
+---@param options? meander.polar.navigator.options the robot it drives, and its parts
+---@return navigator # the navigator
+function meander.polar.navigator(options) end
+
+---What the last cycle of a polar navigator was like: map, activation, memory, choice.
+---
+---Fails on another kind of navigator.
+---
+---```lua
+---s = meander.sim.new { world = meander.world.new { start = {2, 2, 0} } }
+---n = meander.polar.navigator {}
+---n:step(s.observation, {4, 2})
+---print(n:inspect().subgoal.x)
+---```
+---@return table # table of what it had before it
+function navigator:inspect() end
 
 ---Simulation: commands in, observations out.
 meander.sim = {}
@@ -1197,6 +1317,112 @@ function sim:last_run() end
 ---@param options? watch.options for a sim: who drives, and where to; for both: how fast it is shown
 ---@return run|run[] # the run, as sim:drive returns it
 function watch(object, options) end
+
+---Pictures: files, texts, plots, moving ones.
+meander.render = {}
+
+---@alias meander.hide_name 'ground'|'grid'|'cell'|'bar'|'sweep'|'cone'|'place'|'light'|'open_door'|'wall'|'door'|'mover'|'path'|'curve'|'echo'|'start'|'goal'|'contact'|'label'|'robot'
+
+---@class meander.render.save.options
+---@field width? integer width of the picture [px]; 1200 when left out
+---@field height? integer largest height of the picture; 0: as the view needs [px]; 0 when left out
+---@field hide? ('ground'|'grid'|'cell'|'bar'|'sweep'|'cone'|'place'|'light'|'open_door'|'wall'|'door'|'mover'|'path'|'curve'|'echo'|'start'|'goal'|'contact'|'label'|'robot')[] layers to leave out
+
+---Writes a picture of anything that show() draws.
+---
+---Fails on something that has no picture; another suffix; the file cannot be written.
+---
+---```lua
+---s = meander.sim.new { world = meander.world.new { start = {2, 2, 0} } }
+---meander.render.save(s, os.tmpname() .. '.png', { width = 400, hide = { 'cone', 'label' } })
+---```
+---@param object any what to draw
+---@param path string file name: .svg or .png
+---@param options? meander.render.save.options size of a .png, layers
+function meander.render.save(object, path, options) end
+
+---@alias meander.render.text.options.mode 'ascii'|'color256'|'truecolor'
+
+---@class meander.render.text.options
+---@field columns? integer largest number of characters in a line; 80 when left out
+---@field rows? integer largest number of lines; 24 when left out
+---@field mode? meander.render.text.options.mode which characters and colours; 'ascii' when left out
+---@field hide? ('ground'|'grid'|'cell'|'bar'|'sweep'|'cone'|'place'|'light'|'open_door'|'wall'|'door'|'mover'|'path'|'curve'|'echo'|'start'|'goal'|'contact'|'label'|'robot')[] layers to leave out
+
+---The picture as lines of text, for logs and tests.
+---
+---Fails on something that has no picture.
+---
+---```lua
+---s = meander.sim.new { world = meander.world.new { start = {2, 2, 0} } }
+---print(meander.render.text(s, { columns = 40, rows = 12 }))
+---```
+---@param object any what to draw
+---@param options? meander.render.text.options size, kind of characters, layers
+---@return string # the lines, each with its line feed
+function meander.render.text(object, options) end
+
+---@class meander.render.animate.options
+---@field rate? number pictures per second, at most [1/s]; 20 when left out
+
+---Shows what a function returns, again and again, until it returns nil or false; the last picture stays. Without a terminal only that is shown.
+---
+---Fails on something that has no picture; errors of the function.
+---
+---```lua
+---s = meander.sim.new { world = meander.world.new { start = {2, 2, 0} } }
+---meander.render.animate(function(i) s:step(0.3, 0.2) return i <= 10 and s end)
+---```
+---@param frame fun(number: any): ...any function(number) that returns something to see
+---@param options? meander.render.animate.options how fast
+function meander.render.animate(frame, options) end
+
+---@class meander.render.curve.words
+---@field title? string stands above the picture
+---@field x? string what the x axis shows, with its unit
+---@field y? string what the y axis shows, with its unit
+
+---A picture of numbers over their index; show(numbers) is the same without words.
+---
+---Fails on no finite number.
+---
+---```lua
+---show(meander.render.curve({3, 1, 2}, { y = 'error [m]' }))
+---```
+---@param values number[]|numbers a list or view of numbers
+---@param words? meander.render.curve.words what stands beside it
+---@return picture # the picture, for show and save
+function meander.render.curve(values, words) end
+
+---@class meander.render.histogram.options
+---@field bins? integer number of intervals; 0: by the count of the values; 0 when left out
+---@field title? string stands above the picture
+---@field x? string what the x axis shows, with its unit
+---@field y? string what the y axis shows, with its unit
+
+---A picture of how often numbers fall into equal intervals.
+---
+---Fails on no finite number.
+---
+---```lua
+---show(meander.render.histogram({1, 2, 2, 3}, { bins = 3 }))
+---```
+---@param values number[]|numbers a list or view of numbers
+---@param options? meander.render.histogram.options intervals and words
+---@return picture # the picture, for show and save
+function meander.render.histogram(values, options) end
+
+---A picture of a matrix, first row on top; dark is much.
+---
+---Fails on no finite number.
+---
+---```lua
+---show(meander.render.heat_map(meander.matrix { {1, 2}, {3, 4} }))
+---```
+---@param matrix matrix the numbers
+---@param words? meander.render.curve.words what stands beside it
+---@return picture # the picture, for show and save
+function meander.render.heat_map(matrix, words) end
 
 ---@alias run.trace.name 'time'|'x'|'y'|'heading'|'odometry_x'|'odometry_y'|'odometry_heading'|'command_v'|'command_w'|'v'|'w'|'clearance'
 
@@ -1474,7 +1700,7 @@ function deg(angle) end
 ---@return number # the angle in degrees
 function rad(angle) end
 
----Draws an object in the terminal: a world, a sim, a run, a sonar reading.
+---Draws in the terminal: a world, a sim, a run, a sonar reading, a picture; numbers as a curve, a matrix as a heat map.
 ---
 ---Fails on something that has no picture.
 ---

@@ -9,7 +9,9 @@
 #include <optional>
 
 #include "script/completion_chain.hpp"
+#include "script/help_text.hpp"
 #include "script/lua_embedded.hpp"
+#include "script/session.hpp"
 
 namespace meander::script {
 namespace {
@@ -20,6 +22,8 @@ using Tokens = std::vector<Token>;
 constexpr std::array kKeywords = {"and",      "break",  "do",   "else", "elseif", "end",  "false", "for",
                                   "function", "goto",   "if",   "in",   "local",  "nil",  "not",   "or",
                                   "repeat",   "return", "then", "true", "until",  "while"};
+
+constexpr std::string_view kModule = "meander.";  // what names may do without
 
 /// Where in the arguments of a call, or in its option table, the end of a text stands.
 struct Place {
@@ -43,7 +47,8 @@ std::optional<std::size_t> open_bracket(const Tokens& tokens, std::size_t end, s
   return std::nullopt;
 }
 
-/// Follows the brackets outwards: tables that are options of tables, up to the call they belong to.
+/// Follows the brackets outwards: tables that are options of tables, or elements of lists that are, up to the call they
+/// belong to.
 std::optional<Place> place_of(const Tokens& tokens) {
   Place place;
   std::size_t commas = 0;
@@ -52,8 +57,9 @@ std::optional<Place> place_of(const Tokens& tokens) {
   while (open && tokens[*open].is("{")) {
     const std::size_t at = *open;
     const bool is_option = at >= 2 && tokens[at - 1].is("=") && tokens[at - 2].kind == Kind::name;
+    const bool is_element = at >= 1 && tokens[at - 1].is("{");
     const bool is_argument = at >= 1 && (tokens[at - 1].is("(") || tokens[at - 1].is(","));
-    if (!is_option && !is_argument) return place.function_end = at, place;
+    if (!is_option && !is_element && !is_argument) return place.function_end = at, place;
     if (is_option) place.keys.insert(place.keys.begin(), std::string(tokens[at - 2].text));
     open = open_bracket(tokens, at, commas);
   }
@@ -118,6 +124,11 @@ Completion complete_text(lua_State* L, const Tokens& tokens) {
   completion.words = values_of_text(L, tokens);
   if (calls(tokens, "require"))
     for (const EmbeddedModule& module : embedded_modules()) completion.words.emplace_back(module.name);
+  if (calls(tokens, "help"))
+    for (const std::string& name : record_names(session(L).docs)) {
+      completion.words.push_back(name);
+      if (name.starts_with(kModule)) completion.words.push_back(name.substr(kModule.size()));
+    }
   completion.file_name = completion.words.empty();
   return completion;
 }

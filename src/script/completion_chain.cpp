@@ -69,10 +69,13 @@ std::optional<Subject> root(lua_State* L, std::string_view name) {
 /// What the record promises to return; a type only where it is one of the bindings.
 std::optional<Subject> promised(lua_State* L, const Record* record) {
   if (!record) return std::nullopt;
-  const std::string_view types = record->returns_type;  // "run or list of run", "world, list of string"
-  const Record* type = session(L).docs.find(types.substr(0, std::min(types.find(" or "), types.find(','))));
+  constexpr std::string_view kList = "list of ";
+  std::string_view types = record->returns_type;  // "run or list of run", "world, list of string"
+  types = types.substr(0, std::min(types.find(" or "), types.find(',')));
+  const bool list = types.starts_with(kList);
+  const Record* type = session(L).docs.find(list ? types.substr(kList.size()) : types);
   if (!type || type->kind != DocKind::type) return std::nullopt;
-  return Subject{.type = type->name()};
+  return list ? Subject{.element = type->name()} : Subject{.type = type->name()};
 }
 
 std::optional<Subject> member_of(lua_State* L, const Subject& subject, std::string_view name) {
@@ -88,6 +91,8 @@ std::optional<Subject> member_of(lua_State* L, const Subject& subject, std::stri
 
 std::optional<Subject> element_of(lua_State* L, const Subject& subject, const Token& key) {
   if (key.kind == Kind::text) return member_of(L, subject, key.text);
+  if (!subject.element.empty()) return Subject{.type = subject.element};
+  if (!subject.type.empty()) return promised(L, session(L).docs.element(subject.type));
   lua_Integer index = 0;
   const char* end = key.text.data() + key.text.size();
   if (key.kind != Kind::number || std::from_chars(key.text.data(), end, index).ptr != end) return std::nullopt;

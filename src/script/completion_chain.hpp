@@ -17,6 +17,7 @@ namespace meander::script {
 struct Subject {
   bool live = false;
   std::string type{};              ///< of an object: "world"
+  std::string element{};           ///< of a list of objects: their type
   const Record* record = nullptr;  ///< of a function
 };
 

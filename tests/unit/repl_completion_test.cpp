@@ -96,6 +96,34 @@ TEST_F(CompletionTest, OffersOptionsAndTheirValues) {
   EXPECT_TRUE(offers("meander.sim.new { sonar = { ", "range_max = "));
 }
 
+TEST_F(CompletionTest, GoesIntoListsOfTables) {
+  EXPECT_EQ(words("meander.sim.new { robots = { { ro"), Words{"robot = "});
+  EXPECT_EQ(words("meander.sim.new { robots = { { robot = 'scout' }, { sonar = { noise_p"),
+            Words{"noise_proportional = "});
+  EXPECT_EQ(words("meander.sim.new { robots = { { robot = 'sc"), Words{"scout"});
+  EXPECT_EQ(words("meander.sim.new { sonar = { preset = 'no"), Words{"nomad"});
+}
+
+TEST_F(CompletionTest, KnowsTheElementsOfListsAndViews) {
+  run("w = meander.world.new { start = {2, 2, 0} }  s = meander.sim.new { world = w }  m = meander.matrix { {1} }");
+  EXPECT_EQ(words("s.robots[1].travel"), Words{"travelled"});
+  EXPECT_EQ(words("w:things()[i].ali"), Words{"alive"});
+  EXPECT_EQ(words("m[1]:slic"), Words{"slice"});
+  EXPECT_EQ(words("w:names()[1]."), Words{});
+}
+
+TEST_F(CompletionTest, FollowsWhatADriveGives) {
+  run("s = meander.sim.new { world = meander.world.new { start = {2, 2, 0} } }");
+  EXPECT_EQ(words("s:drive { navigator = 'potential_field', subgoals = {{4, 2}} }.clearance_mi"),
+            Words{"clearance_min"});
+  EXPECT_EQ(words("meander.world.import('x'):add_po"), Words{"add_polygon"});
+}
+
+TEST_F(CompletionTest, OffersNamesToHelp) {
+  EXPECT_EQ(words("help 'sim:driv"), Words{"sim:drive"});
+  EXPECT_EQ(words("help('study.wil"), Words{"study.wilson"});
+}
+
 TEST_F(CompletionTest, LeavesQuotesToFilesAndModules) {
   EXPECT_TRUE(lua.complete("x = 'wor").file_name);
   EXPECT_TRUE(lua.complete("meander.world.open 'wor").file_name);
