@@ -44,6 +44,11 @@ TEST_P(Keys, TabCompletesInsideQuotes) {
   completes(".ti", ".timer");
 }
 
+TEST_P(Keys, TabCompletesFilesThatComeWithTheProgram) {
+  completes("world.open 'worlds/offi", "office.toml'");
+  completes(".load examples/first", "first_run.lua");
+}
+
 TEST_P(Keys, TabListsWhatIsPossible) {
   t.enter("fields = { alpha = 1, alps = 2 }");
   t.send("fields.al\t");
