@@ -56,8 +56,8 @@ class HumanReport {
       print_verbose(record);
     }
     std::fflush(stdout);
-    if (!dots_) return;
-    std::fputc(kind == Kind::passed ? '.' : kind == Kind::failed ? 'F' : 's', stderr);
+    if (!dots_ || kind == Kind::failed) return;
+    std::fputc(kind == Kind::passed ? '.' : 's', stderr);
     ++column_;
   }
 

@@ -86,7 +86,8 @@ void redirect(int output) {
   if (nothing < 0 || dup2(nothing, STDIN_FILENO) < 0 || dup2(output, STDOUT_FILENO) < 0 ||
       dup2(output, STDERR_FILENO) < 0)
     _exit(kEscaped);
-  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  static char buffer[BUFSIZ];  // with one of its own, glibc forgets how the parent's was filled
+  std::setvbuf(stdout, buffer, _IOLBF, sizeof buffer);
 }
 
 void settle(int output) {
