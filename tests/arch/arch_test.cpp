@@ -148,8 +148,10 @@ TEST(Architecture, FilesAndFunctionsStaySmall) {
       EXPECT_LE(length, kFunctionCap) << place(file, i) << ": " << lines[i];
     }
   }
-  for (const auto& file : sources({"lua", "examples", "tests"}, {".lua"}))
-    EXPECT_LE(lines_of(file).size(), kFileCap) << fs::relative(file, kRoot);
+  for (const auto& file : sources({"lua", "examples", "tests"}, {".lua"})) {
+    const bool generated = file.parent_path() == kRoot / "lua" / "meta";
+    EXPECT_TRUE(generated || lines_of(file).size() <= kFileCap) << fs::relative(file, kRoot);
+  }
 }
 
 /// Keys like [LM99] or [K86+] in the lines of a file, without the plus.
