@@ -59,7 +59,7 @@ double memory_so_far() {
 /// room that an error message needs come on top.
 void limit_memory(double mebibytes) {
   const double threads = std::max(1u, std::thread::hardware_concurrency());
-  limit(RLIMIT_DATA, memory_so_far() + (mebibytes + 64 + 16 * threads) * kMebibyte);
+  limit(RLIMIT_DATA, memory_so_far() + (mebibytes + 32 + 16 * threads) * kMebibyte);
 }
 
 /// The last resort where memory runs out in a place that cannot report it.

@@ -30,7 +30,8 @@ int run(CommandLine line) {
   set_up_terminal(lua);
   const int code = run_batch(lua, line);
   if (!line.interactive) return code;
-  return repl::run_prompt(lua, {.version = MEANDER_VERSION, .start_up = !line.no_rc});
+  return repl::run_prompt(
+      lua, {.version = MEANDER_VERSION, .start_up = !line.no_rc && !line.sandbox, .history = !line.sandbox});
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ void add_sandbox_options(CLI::App& app, std::optional<script::SandboxOptions>& s
     };
     const std::string unit = *field.unit ? fmt::format(" [{}]", field.unit) : "";
     app.add_option_function<T>(fmt::format("--sandbox-{}", field.name), set, field.doc + unit)
-        ->default_str(fmt::format("{}", value));
+        ->default_str(fmt::format("{}", value))
+        ->take_last();
   });
 }
 

@@ -31,9 +31,9 @@ using script::Outcome;
 
 class Prompt {
  public:
-  explicit Prompt(script::Interpreter& lua)
+  Prompt(script::Interpreter& lua, bool history)
       : lua_(lua),
-        history_(history_path()),
+        history_(history ? history_path() : std::string()),
         editor_([this](std::string_view text) { return complete(text); }, history_.entries()) {
     const auto& known = history_.entries();
     const auto lua_input = std::find_if_not(known.rbegin(), known.rend(), is_command);
@@ -56,8 +56,9 @@ class Prompt {
   std::string edited_input() const;
   void edit_script(const std::string& path);
   void explain(const std::string& name);
-  void load(const std::string& path);
-  void save(const std::string& path);
+  void load(const std::string& name);
+  void save(const std::string& name);
+  std::optional<std::string> permitted(const std::string& name, bool reads) const;
   void set_timer(const std::string& argument);
   void report(const Outcome& outcome, const std::string& input) const;
   void advise(const Outcome& outcome, const std::string& input) const;
@@ -193,6 +194,7 @@ bool Prompt::edit(const std::string& path) {
   std::string text;
   try {
     if (!editor_.interactive()) fail<Error>(".edit needs a terminal");
+    if (lua_.session().sandbox) fail<Error>("sandbox: no other programs, so no editor");
     if (!path.empty()) return edit_script(path), true;
     text = edited_input();
   } catch (const Error& failure) {
@@ -223,18 +225,32 @@ void Prompt::edit_script(const std::string& path) {
   load(path);
 }
 
-void Prompt::load(const std::string& path) {
-  if (path.empty()) return say("which file? .load FILE");
-  const auto found = find_file(path);
-  if (!found) return say("no script '" + path + "'" + missing_file_hint(path));
+/// The path to use; says why, where a sandbox does not allow any.
+std::optional<std::string> Prompt::permitted(const std::string& name, bool reads) const {
+  try {
+    return lua_.permitted_path(name, reads);
+  } catch (const Error& refused) {
+    say(refused.what());
+    return std::nullopt;
+  }
+}
+
+void Prompt::load(const std::string& name) {
+  if (name.empty()) return say("which file? .load FILE");
+  const auto path = permitted(name, true);
+  if (!path) return;
+  const auto found = find_file(*path);
+  if (!found) return say("no script '" + name + "'" + missing_file_hint(*path));
   const Outcome outcome = lua_.run_file(*found);
   report(outcome, *found);
   if (outcome.done()) log_.add({fmt::format("dofile({})", quoted(*found)), false, true});
 }
 
-void Prompt::save(const std::string& path) {
-  if (path.empty()) return say("which file? .save FILE");
+void Prompt::save(const std::string& name) {
+  if (name.empty()) return say("which file? .save FILE");
   if (log_.empty()) return say("nothing to save yet");
+  const std::string path = permitted(name, false).value_or("");
+  if (path.empty()) return;
   std::error_code error;
   if (path != saved_path_ && std::filesystem::exists(path, error))
     return say("'" + path + "' exists already; choose another name");
@@ -280,7 +296,7 @@ script::Completion Prompt::complete(std::string_view text) const {
 
 int run_prompt(script::Interpreter& lua, const PromptOptions& options) {
   lua.session().at_prompt = true;
-  Prompt prompt(lua);
+  Prompt prompt(lua, options.history);
   prompt.greet(options.version);
   if (options.start_up) prompt.start_up();
   prompt.run();

@@ -10,6 +10,7 @@ namespace meander::repl {
 struct PromptOptions {
   std::string version;   ///< for the greeting
   bool start_up = true;  ///< run the start-up file
+  bool history = true;   ///< remember what is typed beyond the session
 };
 
 /// Reads and runs what the user types until the end of input. Returns the exit code.

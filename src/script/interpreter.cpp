@@ -10,6 +10,7 @@
 #include <new>
 
 #include "script/bindings.hpp"
+#include "script/file_access.hpp"
 #include "script/kit_module.hpp"
 #include "script/lua_interrupt.hpp"
 #include "script/lua_setup.hpp"
@@ -140,6 +141,11 @@ void Interpreter::set_arguments(const std::string& script, const std::vector<std
     lua_rawseti(L_, -2, ++index);
   }
   lua_setglobal(L_, "arg");
+}
+
+std::string Interpreter::permitted_path(const std::string& name, bool reads) const {
+  if (!session_.sandbox) return name;
+  return reads ? path_to_read(L_, name) : path_to_write(L_, name);
 }
 
 int Interpreter::push_arguments() {

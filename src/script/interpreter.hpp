@@ -52,6 +52,9 @@ class Interpreter {
 
   /// `script` and `arguments` become the global `arg`, as lua(1) has it; main scripts also get the arguments as `...`.
   void set_arguments(const std::string& script, const std::vector<std::string>& arguments);
+  /// The path to use for a file that the user of the prompt names, as for one that a script names. Throws FileError
+  /// where a sandbox does not allow it.
+  std::string permitted_path(const std::string& name, bool reads) const;
   /// The main script: `require` looks beside it.
   Outcome run_main(const std::string& path);
   /// The main script from standard input.

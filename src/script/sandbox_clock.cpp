@@ -36,7 +36,8 @@ Nanoseconds own_used = 0;                  ///< of it, by this process
 Nanoseconds run_since = 0;                 ///< when the run that is in progress was first seen; 0: none
 Nanoseconds over_since = 0;                ///< when the time was found used up; 0: it is not
 std::atomic<const char*> verdict{nullptr};
-std::string computing_text, waiting_text, last_words;
+std::string computing_text, waiting_text;
+std::string last_words, last_words_in_call;
 bool silent = false;
 pthread_t main_thread;
 
@@ -80,7 +81,7 @@ void tick() {
   verdict = (computed ? computing_text : waiting_text).c_str();
   stop_running();
   if (over_since == 0) over_since = time;
-  if (time - over_since >= kGrace) leave_at_once(silent ? "" : last_words, 1);
+  if (time - over_since >= kGrace) leave_at_once(silent ? "" : script_runs() ? last_words_in_call : last_words, 1);
 }
 
 void on_tick(int signal) {
@@ -113,7 +114,8 @@ void start_clock(double seconds) {
   waiting_limit = 4 * computing_limit + 10 * kSecond;
   computing_text = fmt::format("sandbox: computing time of {} s used up", seconds);
   waiting_text = fmt::format("sandbox: time of {} s for one run used up", waiting_limit / kSecond);
-  last_words = "meander: " + computing_text + " in one call\n";
+  last_words = "meander: " + computing_text + "\n";
+  last_words_in_call = "meander: " + computing_text + " in one call\n";
   main_thread = pthread_self();
   struct sigaction action {};
   action.sa_handler = on_tick;

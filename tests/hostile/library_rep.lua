@@ -1,0 +1,5 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- SPDX-FileCopyrightText: the meander authors
+-- exit: 1
+-- error: computing time of 2 s used up in one call
+(""):rep(math.maxinteger)
