@@ -19,7 +19,7 @@ struct DynamicWindowOptions {
   double reach = 2.0;
   double patience = 15;
   double progress = 0.10;
-  SonarMemoryOptions memory;
+  SonarMemoryOptions memory{};
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, DynamicWindowOptions>

@@ -18,10 +18,11 @@ Vec2 along(double angle, double way) {
 
 /// Walking along a wall.
 struct Following {
-  double side;      ///< 1: the wall is on the left
-  double nearest;   ///< distance from the subgoal to the nearest place of the way along it [m]
-  Vec2 begin;       ///< where it began, in the odometry frame
-  double away = 0;  ///< farthest from there so far [m]
+  double side;        ///< 1: the wall is on the left
+  double along;       ///< direction driven last, in the odometry frame [rad]
+  double nearest;     ///< distance from the subgoal to the nearest place of it so far [m]
+  Vec2 begin;         ///< where it began, in the odometry frame
+  double driven = 0;  ///< since then [m]
 };
 
 class TangentBug {
@@ -72,6 +73,7 @@ class TangentBug {
 
   /// [KRR98] the local tangent graph's range profile: the free way of the body in every direction.
   void look(const Pose2& pose) {
+    before_ = here_;
     here_ = pose.position();
     heading_ = pose.heading;
     target_ = inverse(pose) * subgoal_;
@@ -113,33 +115,48 @@ class TangentBug {
     }
     // The wall is to be on the side from which the end is reached: end on the left, wall on the right.
     const double end = best ? bearing_of(*best) - target_bearing_ : kPi;
-    following_ = Following{.side = wrap_angle(end) >= 0 ? -1.0 : 1.0, .nearest = target_.norm(), .begin = here_};
+    const double side = wrap_angle(end) >= 0 ? -1 : 1;
+    following_ = Following{
+        .side = side, .along = heading_ + target_bearing_ - side * kPi / 2, .nearest = target_.norm(), .begin = here_};
     return std::nullopt;
   }
 
   /// [KRR98] leave the boundary when a place is in reach that is nearer to the subgoal than all of it was.
   void follow() {
     Following& wall = *following_;
-    wall.away = std::max(wall.away, (here_ - wall.begin).norm());
+    wall.driven += (here_ - before_).norm();
     double reach = target_.norm();
     for (int k = 0; k < options_.directions; ++k) {
       const double way = std::clamp(target_.norm() * sin_cos(k * step_).cos, 0.0, free_[at(k)]);
       reach = std::min(reach, (target_ - place_at(k, way)).norm());
     }
-    if (reach < wall.nearest - options_.leave) return following_.reset();
     wall.nearest = std::min(wall.nearest, target_.norm());
+    for (const Vec2& point : points_)
+      if (point.norm() < std::min(kOwnWall, target_.norm()))
+        wall.nearest = std::min(wall.nearest, (target_ - point).norm());
+    if (reach < wall.nearest - options_.leave) following_.reset();
   }
 
-  /// The first free direction, seen from the wall on.
-  std::optional<double> along_the_wall() const {
-    if (points_.empty()) return target_bearing_;
-    const auto nearest = std::min_element(
-        points_.begin(), points_.end(), [](const Vec2& a, const Vec2& b) { return a.squaredNorm() < b.squaredNorm(); });
-    const double wall = angle_of(nearest->y(), nearest->x());
-    const auto first = static_cast<int>(std::floor(angle_between(target_bearing_, wall) / step_ + 0.5));
-    const int turn = following_->side > 0 ? -1 : 1;
-    for (int i = 0; i < options_.directions; ++i)
-      if (free_[at(first + turn * i)] >= options_.follow_look) return bearing_of(first + turn * i);
+  /// The first free direction, seen from the wall on. The wall is the nearest thing on its side of the way: across a
+  /// narrow place another may be nearer.
+  std::optional<double> along_the_wall() {
+    Following& wall = *following_;
+    const double beside = angle_between(heading_, wall.along + wall.side * kPi / 2);
+    double from = beside, nearest = std::numeric_limits<double>::infinity();
+    for (const Vec2& point : points_) {
+      const double bearing = angle_of(point.y(), point.x());
+      if (point.squaredNorm() >= nearest || std::abs(angle_between(beside, bearing)) > kBeside) continue;
+      nearest = point.squaredNorm();
+      from = bearing;
+    }
+    const auto first = static_cast<int>(std::floor(angle_between(target_bearing_, from) / step_ + 0.5));
+    const int turn = wall.side > 0 ? -1 : 1;
+    for (int i = 0; i < options_.directions; ++i) {
+      const int k = first + turn * i;
+      if (free_[at(k)] < options_.follow_look) continue;
+      wall.along = heading_ + bearing_of(k);
+      return bearing_of(k);
+    }
     return std::nullopt;
   }
 
@@ -150,7 +167,8 @@ class TangentBug {
 
   /// Why it cannot go on, or nothing. Then it forgets the wall and tries anew.
   std::string stuck(const Observation& observation) {
-    if (following_ && following_->away > 3 * options_.loop && (here_ - following_->begin).norm() < options_.loop) {
+    if (following_ && following_->driven > kRound * options_.loop &&
+        (here_ - following_->begin).norm() < options_.loop) {
       following_.reset();
       return "came round to where it met the obstacle";
     }
@@ -162,6 +180,9 @@ class TangentBug {
   }
 
   static constexpr double kTouch = 1e-6;    ///< [m]
+  static constexpr double kBeside = 1.9;    ///< how far from beside the way the wall may be [rad]
+  static constexpr double kRound = 8;       ///< a way round is at least so many times the size of `loop`
+  static constexpr double kOwnWall = 1.2;   ///< what is nearer belongs to the wall that is followed [m]
   static constexpr double kSameEnd = 0.35;  ///< directions nearer to each other are the same end [rad]
 
   Platform platform_;
@@ -176,6 +197,7 @@ class TangentBug {
   Vec2 target_{0, 0};  ///< the subgoal in the robot's frame
   double target_bearing_ = 0;
   Vec2 here_{0, 0};
+  Vec2 before_{0, 0};  ///< a cycle ago
   double heading_ = 0;
   std::optional<double> chosen_;  ///< direction of the end chosen last, in the odometry frame
   std::optional<Following> following_;

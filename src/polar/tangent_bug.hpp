@@ -19,8 +19,8 @@ struct TangentBugOptions {
   double loop = 0.5;
   double patience = 15;
   double progress = 0.3;
-  SteeringOptions steering;
-  SonarMemoryOptions memory;
+  SteeringOptions steering{.caution = 0.15};
+  SonarMemoryOptions memory{.scans = 30, .contradictions = 0};
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, TangentBugOptions>

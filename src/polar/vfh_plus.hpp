@@ -20,8 +20,8 @@ struct VfhPlusOptions {
   double previous_weight = 2;
   double patience = 15;
   double progress = 0.10;
-  SteeringOptions steering;
-  SonarMemoryOptions memory;
+  SteeringOptions steering{};
+  SonarMemoryOptions memory{};
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, VfhPlusOptions>
