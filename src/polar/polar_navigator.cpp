@@ -108,7 +108,7 @@ std::string PolarNavigator::escape_text() const {
 void PolarNavigator::place_map(const Vec2& target) {
   const Vec2 way = target - predicted_.pose.position();
   target_distance_ = way.norm();
-  target_ring_ = target_ring(layout_, target_distance_);
+  target_ring_ = meander::target_ring(layout_, target_distance_);
   odometry_from_map_ = {predicted_.pose.x, predicted_.pose.y, angle_of(way.y(), way.x())};
 }
 

@@ -32,6 +32,8 @@ class PolarNavigator {
   std::span<const MappedPoint> points() const { return mapper_.points(); }
   const std::optional<PolarSubgoal>& subgoal() const { return subgoal_; }
   Vec2 target() const { return {target_distance_, 0}; }  ///< in the frame of the map
+  int target_ring() const { return target_ring_; }
+  const MotionCandidate& chosen() const { return control_.chosen(); }
   const TrapWatch& trap() const { return trap_; }
   const Predictor& predictor() const { return predictor_; }
 

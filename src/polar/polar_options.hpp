@@ -22,7 +22,7 @@ struct EnumNames<PolarMode> {
 struct PolarMapOptions {
   PolarLayoutOptions layout;
   PolarWeights weights = PolarWeights::finite_volume;
-  double kappa = 20;
+  double kappa = 30;
   double margin = 0.05;
   double narrow_margin = 0.02;
   double merge = 0.02;

@@ -74,14 +74,15 @@ double largest_eigenvalue(const std::vector<RingWeights>& weights) {
   double eigenvalue = 0;
   for (int round = 0; round < 20000; ++round) {
     double largest = 0;
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 1; i < n; ++i) {
       const RingWeights& w = weights[i];
       // One more of itself keeps rings that only alternate from flipping for ever; it is taken off below.
-      next[i] = (1 + 2 * w.lateral) * v[i] + (i > 0 ? (w.inward + 2 * w.inward_diagonal) * v[i - 1] : 0) +
+      const double inner = i == 1 ? kCentre * v[1] : v[i - 1];
+      next[i] = (1 + 2 * w.lateral) * v[i] + (w.inward + 2 * w.inward_diagonal) * inner +
                 (i + 1 < n ? (w.outward + 2 * w.outward_diagonal) * v[i + 1] : 0);
       largest = std::max(largest, next[i]);
     }
-    for (std::size_t i = 0; i < n; ++i) v[i] = next[i] / largest;
+    for (std::size_t i = 1; i < n; ++i) v[i] = next[i] / largest;
     const double change = std::abs(largest - 1 - eigenvalue);
     eigenvalue = largest - 1;
     if (change <= 1e-13 * largest) break;

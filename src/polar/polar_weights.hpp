@@ -37,7 +37,7 @@ std::vector<RingWeights> ring_weights(const PolarLayout& layout, PolarWeights ki
 std::vector<RingWeights> ring_weights(const PolarLayout& layout, const OwnWeights& own);
 
 /// The largest eigenvalue of the connections: activation stays bounded while every total exceeds it [LM99]. The
-/// eigenvector is the same in all sectors, because the weights are and none is negative.
+/// eigenvector is the same in all sectors, because the weights are and none is negative; the centre follows ring 1.
 double largest_eigenvalue(const std::vector<RingWeights>& weights);
 
 }  // namespace meander

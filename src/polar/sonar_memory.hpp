@@ -15,7 +15,7 @@ struct SonarMemoryOptions {
   double range_max = 6.477;
   double saturated_gap = 0.04;
   int contradictions = 2;
-  double contradiction_angle = 0.13962634015954636;  // 8 deg
+  double contradiction_angle = 0.1;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, SonarMemoryOptions>

@@ -18,9 +18,11 @@ void bind_all(lua_State* L) {
   bind_observation(L);
   bind_navigators(L);
   bind_baselines(L);
+  bind_polar(L);
   bind_sim(L);
   bind_drive(L);
   bind_watch(L);
+  bind_render(L);
   bind_run(L);
   bind_robot(L);
   bind_sensor(L);
