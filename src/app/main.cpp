@@ -29,7 +29,7 @@ int run(CommandLine line) {
   script::Interpreter lua({.lua_dir = line.lua_dir, .sandbox = line.sandbox});
   set_up_terminal(lua);
   const int code = run_batch(lua, line);
-  if (!line.interactive) return code;
+  if (!line.interactive || lua.ended()) return code;
   return repl::run_prompt(
       lua, {.version = MEANDER_VERSION, .start_up = !line.no_rc && !line.sandbox, .history = !line.sandbox});
 }

@@ -97,7 +97,7 @@ void Prompt::run() {
   std::string text;
   for (Next next; (next = read_input(text)) != Next::leave;) {
     if (next == Next::nothing) continue;
-    if (!perform(text)) return;
+    if (!perform(text) || lua_.ended()) return;
     std::fflush(stdout);
   }
 }
@@ -300,7 +300,7 @@ int run_prompt(script::Interpreter& lua, const PromptOptions& options) {
   prompt.greet(options.version);
   if (options.start_up) prompt.start_up();
   prompt.run();
-  return 0;
+  return lua.ended() ? 1 : 0;
 }
 
 }  // namespace meander::repl

@@ -167,7 +167,15 @@ Outcome Interpreter::load_failure(const std::string& path) {
   return outcome;
 }
 
+bool Interpreter::ended() const { return session_.sandbox && !session_.sandbox->verdict().empty(); }
+
 Outcome Interpreter::run_loaded(int arguments, bool echo) {
+  if (ended()) {
+    Outcome outcome;
+    judge(*session_.sandbox, outcome);
+    lua_pop(L_, arguments + 1);
+    return outcome;
+  }
   const InterruptScope scope(L_, session_.stop);
   const int first = lua_gettop(L_) - arguments;
   Outcome outcome;

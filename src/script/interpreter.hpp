@@ -18,7 +18,7 @@ struct Outcome : ErrorReport {
   enum class Kind { done, failed, interrupted };
   Kind kind = Kind::done;
   std::string echo;              ///< of evaluate(): the values as text, empty where there are none
-  std::optional<int> exit_code;  ///< that os.exit asked for in a sandbox
+  std::optional<int> exit_code;  ///< that os.exit asked for in a sandbox: nothing runs any more
   bool value = false;            ///< of evaluate(): an expression
   bool statement = false;        ///< of evaluate(): could stand alone in a script; a call is both
 
@@ -47,6 +47,8 @@ class Interpreter {
   Interpreter& operator=(const Interpreter&) = delete;
 
   Session& session() { return session_; }
+  /// In a sandbox: a limit is used up, or the script has ended itself, and nothing will run any more.
+  bool ended() const;
   /// For bindings beyond those of bind_all().
   lua_State* state() { return L_; }
 

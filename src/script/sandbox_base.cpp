@@ -2,8 +2,11 @@
 // SPDX-FileCopyrightText: the meander authors
 #include <lauxlib.h>
 
-#include <cstring>
+#include <unistd.h>
 
+#include <cstdio>
+
+#include "base/visible_text.hpp"
 #include "script/file_access.hpp"
 #include "script/sandbox_libraries.hpp"
 #include "script/sandbox_state.hpp"
@@ -113,9 +116,15 @@ int safe_collectgarbage(lua_State* L) {
   }
 }
 
+/// A terminal is not commanded.
 void write_charged(lua_State* L, const char* text, std::size_t size) {
   charge_output(L, size);
-  std::fwrite(text, 1, size, stdout);
+  if (!isatty(STDOUT_FILENO)) {
+    std::fwrite(text, 1, size, stdout);
+    return;
+  }
+  const std::string visible = visible_text({text, size});
+  std::fwrite(visible.data(), 1, visible.size(), stdout);
 }
 
 int safe_print(lua_State* L) {

@@ -6,7 +6,6 @@
 #include <pthread.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
-#include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -15,9 +14,11 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <cstring>
 #include <new>
 #include <string>
 
+#include "base/error.hpp"
 #include "script/lua_interrupt.hpp"
 
 namespace meander::script {
@@ -26,7 +27,8 @@ namespace {
 using Nanoseconds = std::int64_t;
 constexpr Nanoseconds kSecond = 1'000'000'000;
 constexpr Nanoseconds kGrace = kSecond;
-constexpr int kTick = 50'000;  ///< [us]
+constexpr long kTick = kSecond / 20;
+constexpr int kSignal = SIGVTALRM;  ///< readline takes SIGALRM for itself
 
 // All that the signal handler needs.
 Nanoseconds computing_limit = 0;
@@ -94,8 +96,13 @@ void on_tick(int signal) {
 }
 
 void set_timer() {
-  const itimerval period{{0, kTick}, {0, kTick}};
-  setitimer(ITIMER_REAL, &period, nullptr);
+  sigevent event{};
+  event.sigev_notify = SIGEV_SIGNAL;
+  event.sigev_signo = kSignal;
+  timer_t timer{};
+  if (timer_create(CLOCK_MONOTONIC, &event, &timer) != 0) fail<Error>("sandbox: no timer: {}", std::strerror(errno));
+  const itimerspec period{{0, kTick}, {0, kTick}};
+  timer_settime(timer, 0, &period, nullptr);
 }
 
 /// Timers do not pass to a fork, whose computing time starts at nothing.
@@ -121,7 +128,7 @@ void start_clock(double seconds) {
   action.sa_handler = on_tick;
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
-  sigaction(SIGALRM, &action, nullptr);
+  sigaction(kSignal, &action, nullptr);
   pthread_atfork(nullptr, nullptr, in_child);
   set_timer();
 }

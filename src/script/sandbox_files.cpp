@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #include <lauxlib.h>
+#include <unistd.h>
 
-#include <cstdlib>
+#include <cstdio>
 #include <string>
 #include <string_view>
 
+#include "base/visible_text.hpp"
 #include "script/file_access.hpp"
 #include "script/lua_interrupt.hpp"
 #include "script/sandbox_libraries.hpp"
@@ -68,14 +70,33 @@ int safe_rename(lua_State* L) {
   return replace_name(L, 1, false) && replace_name(L, 2, false) ? call_original(L) : refuse(L);
 }
 
+/// What is written to a terminal may not command it.
+void make_visible(lua_State* L, int from) {
+  for (int i = from; i <= lua_gettop(L); ++i) {
+    if (lua_type(L, i) != LUA_TSTRING) continue;
+    std::size_t size = 0;
+    const char* text = lua_tolstring(L, i, &size);
+    const std::string visible = visible_text({text, size});
+    lua_pushlstring(L, visible.data(), visible.size());
+    lua_replace(L, i);
+  }
+}
+
+/// The file at `index` is open and a terminal.
+bool is_terminal(lua_State* L, int index) {
+  const auto* stream = static_cast<luaL_Stream*>(luaL_testudata(L, index, LUA_FILEHANDLE));
+  return stream && stream->closef && isatty(fileno(stream->f));
+}
+
 /// file:write(...); and io.write(...), which has standard output as upvalue 2.
 int safe_write(lua_State* L) {
   for (int i = lua_gettop(L); i >= 1; --i)
-    if (lua_type(L, i) == LUA_TSTRING || lua_type(L, i) == LUA_TNUMBER) charge_output(L, lua_rawlen(L, i));
+    if (lua_type(L, i) == LUA_TSTRING) charge_output(L, lua_rawlen(L, i));
   if (!lua_isnone(L, lua_upvalueindex(2))) {
     lua_pushvalue(L, lua_upvalueindex(2));
     lua_insert(L, 1);
   }
+  if (is_terminal(L, 1)) make_visible(L, 2);
   return call_original(L);
 }
 

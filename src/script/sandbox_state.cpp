@@ -35,12 +35,10 @@ std::filesystem::path real_folder(const std::string& folder) {
   return real;
 }
 
-std::atomic<std::int64_t>* shared_counter() {
-  void* page =
-      mmap(nullptr, sizeof(std::atomic<std::int64_t>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+void* shared_memory(std::size_t size) {
+  void* page = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (page == MAP_FAILED) throw std::bad_alloc();
-  static_assert(std::atomic<std::int64_t>::is_always_lock_free);
-  return new (page) std::atomic<std::int64_t>(0);
+  return page;
 }
 
 void count(lua_State* L, lua_Debug* activation) {
@@ -62,9 +60,9 @@ Sandbox::Sandbox(const SandboxOptions& options)
       limit_(static_cast<std::size_t>(options.memory * kMebibyte)),
       bytes_at_start_(bytes_taken()),
       next_collection_(limit_ / 4 * 3),
-      instructions_(shared_counter()) {}
+      shared_(new (shared_memory(sizeof(Shared))) Shared) {}
 
-Sandbox::~Sandbox() { munmap(instructions_, sizeof *instructions_); }
+Sandbox::~Sandbox() { munmap(shared_, sizeof *shared_); }
 
 void* Sandbox::allocate(void* sandbox, void* block, std::size_t old_size, std::size_t new_size) {
   auto& self = *static_cast<Sandbox*>(sandbox);
@@ -103,12 +101,13 @@ void Sandbox::become_worker(int count) {
 }
 
 bool Sandbox::spend(int instructions) {
-  return instructions_->fetch_add(instructions, std::memory_order_relaxed) + instructions <= options_.instructions;
+  return shared_->instructions.fetch_add(instructions, std::memory_order_relaxed) + instructions <=
+         options_.instructions;
 }
 
 void Sandbox::charge_output(std::size_t bytes) {
-  written_ += bytes;
-  if (static_cast<double>(written_) > options_.output * kMebibyte)
+  const std::size_t written = shared_->written += bytes;
+  if (static_cast<double>(written) > options_.output * kMebibyte)
     fail<Error>("sandbox: more than {} MiB written", options_.output);
 }
 
@@ -123,7 +122,7 @@ void Sandbox::charge_file(const std::string& path) {
 std::string Sandbox::verdict() const {
   if (exit_code_) return "ended by os.exit";
   if (const char* late = clock_verdict()) return late;
-  if (instructions_->load(std::memory_order_relaxed) > options_.instructions)
+  if (shared_->instructions.load(std::memory_order_relaxed) > options_.instructions)
     return fmt::format("sandbox: {} Lua instructions used up", options_.instructions);
   return {};
 }

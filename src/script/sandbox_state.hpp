@@ -62,8 +62,12 @@ class Sandbox {
   std::size_t native_bytes_ = 0;
   std::size_t bytes_at_start_;  ///< that the process had taken before
   std::size_t next_collection_;
-  std::atomic<std::int64_t>* instructions_;  ///< shared with workers
-  std::size_t written_ = 0;
+  /// Shared with workers.
+  struct Shared {
+    std::atomic<std::int64_t> instructions{0};
+    std::atomic<std::size_t> written{0};
+  };
+  Shared* shared_;
   std::string last_file_;
   std::optional<int> exit_code_;
   bool worker_ = false;
