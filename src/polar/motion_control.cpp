@@ -29,11 +29,13 @@ MotionControl::MotionControl(const Body& body, const MotionControlOptions& optio
     : body_(body), options_(options), own_(std::move(own)) {
   speeds_.resize(static_cast<std::size_t>(options.speeds));
   turns_.resize(static_cast<std::size_t>(options.turns));
+  strides_.resize(turns_.size() * 2 * static_cast<std::size_t>(options.samples + 1));
   open_.reserve(speeds_.size() * turns_.size());
 }
 
 /// [LM99] 1: the velocities that can be reached within one control period, sampled.
 void MotionControl::make_window(const MotionTask& task) {
+  for (Stride& stride : strides_) stride.known = false;
   const double dt = task.now.period;
   const double v_least = std::clamp(task.now.v - body_.a_v * dt, 0.0, body_.v_max);
   const double v_most = std::clamp(task.now.v + body_.a_v * dt, 0.0, body_.v_max);
@@ -98,36 +100,48 @@ bool MotionControl::sample(const MotionTask& task, const Vec2& at, MotionCandida
   const double r = at.norm();
   if (r >= task.layout.scope()) return false;
   const int ring = task.layout.nearest_ring(r);
-  const int sector = task.layout.nearest_sector(angle_of(at.y(), at.x()));
+  const int sector = task.layout.nearest_sector(coarse_angle(at.y(), at.x()));
   const bool soft = task.soft.test(ring, sector), hard = task.hard.test(ring, sector);
   candidate.soft += soft;
   candidate.hard += hard;
   return soft || hard;
 }
 
+/// Candidates that turn alike share the shape of their arcs.
+const MotionControl::Stride& MotionControl::stride(std::size_t turn, bool braking, int count, double heading,
+                                                   double turned) {
+  Stride& stride =
+      strides_[(2 * turn + braking) * static_cast<std::size_t>(options_.samples + 1) + static_cast<std::size_t>(count)];
+  if (!stride.known) stride = {chord(heading, turned / count) / count, sin_cos(turned / count), true};
+  return stride;
+}
+
 /// Follows the trajectory until its cost exceeds `most`.
-void MotionControl::look(const MotionTask& task, int index, MotionCandidate& candidate, double free,
-                         double most) const {
+void MotionControl::look(const MotionTask& task, int index, MotionCandidate& candidate, double free, double most) {
   const Speed& speed = speeds_[static_cast<std::size_t>(index) / turns_.size()];
-  const Turn& turn = turns_[static_cast<std::size_t>(index) % turns_.size()];
+  const std::size_t which = static_cast<std::size_t>(index) % turns_.size();
+  const Turn& turn = turns_[which];
   const double step = std::max(options_.sample_step, (speed.driven + speed.braked) / std::max(1, options_.samples - 1));
   const int driving = samples_of(speed.driven, step), braking = samples_of(speed.braked, step);
   candidate.samples = std::max(1, driving + braking);
   Vec2 at(0, 0);
-  double heading = task.heading;
-  const auto follow = [&](int count, double way, double turned) {
-    if (count == 0) return true;
-    Vec2 stride = way / count * chord(heading, turned / count);
-    const SinCos t = sin_cos(turned / count);
+  const auto follow = [&](const Stride& shape, int count, double way) {
+    Vec2 stride = way * shape.chord;
     for (int k = 0; k < count; ++k) {
       at += stride;
-      stride = {t.cos * stride.x() - t.sin * stride.y(), t.sin * stride.x() + t.cos * stride.y()};
+      stride = {shape.turn.cos * stride.x() - shape.turn.sin * stride.y(),
+                shape.turn.sin * stride.x() + shape.turn.cos * stride.y()};
       if (sample(task, at, candidate) && free + obstacle_cost(candidate) >= most) return false;
     }
-    heading += turned;
     return true;
   };
-  if (follow(driving, speed.driven, turn.driven)) follow(braking, speed.braked, turn.braked);
+  if (driving > 0 && !follow(stride(which, false, driving, task.heading, turn.driven), driving, speed.driven)) return;
+  if (braking > 0) follow(stride(which, true, braking, task.heading + turn.driven, turn.braked), braking, speed.braked);
+}
+
+double MotionControl::reach(const Prediction& now) const {
+  const double v = std::min(now.v + body_.a_v * now.period, body_.v_max);
+  return v * now.period + v * v / (2 * body_.a_v);
 }
 
 /// [LM99] 3: the pair with the least value. Candidates come by what they cost without obstacles, the cheapest first,

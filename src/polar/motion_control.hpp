@@ -83,6 +83,8 @@ class MotionControl {
   Command choose(const MotionTask& task);
   /// The candidate chosen last.
   const MotionCandidate& chosen() const { return best_; }
+  /// How far trajectories from here can lead [m].
+  double reach(const Prediction& now) const;
   /// The objective as the documentation has it.
   double objective(const MotionCandidate& candidate) const;
 
@@ -101,12 +103,19 @@ class MotionControl {
     int index;
     bool aimed;  ///< the bound knows the heading
   };
+  /// The first of so many equal parts of an arc of length 1, and how the next ones are turned.
+  struct Stride {
+    Vec2 chord;
+    SinCos turn;
+    bool known = false;
+  };
   void make_window(const MotionTask& task);
+  const Stride& stride(std::size_t turn, bool braking, int count, double heading, double turned);
   MotionCandidate candidate(const MotionTask& task, int index) const;
   void aim(const MotionTask& task, MotionCandidate& candidate) const;
   double free_cost(const MotionCandidate& candidate) const;
   double obstacle_cost(const MotionCandidate& candidate) const;
-  void look(const MotionTask& task, int index, MotionCandidate& candidate, double free, double most) const;
+  void look(const MotionTask& task, int index, MotionCandidate& candidate, double free, double most);
   bool sample(const MotionTask& task, const Vec2& at, MotionCandidate& candidate) const;
 
   Body body_;
@@ -114,6 +123,7 @@ class MotionControl {
   OwnObjective own_;
   std::vector<Speed> speeds_;
   std::vector<Turn> turns_;
+  std::vector<Stride> strides_;  ///< by turn, arc and number of parts
   std::vector<Open> open_;
   MotionCandidate best_;
 };

@@ -59,9 +59,7 @@ int PolarLayout::nearest_ring(double r) const {
   return ring > 0 && r - radius(ring - 1) < radius(ring) - r ? ring - 1 : ring;
 }
 
-int PolarLayout::nearest_sector(double bearing) const {
-  return wrapped(static_cast<int>(std::floor(bearing / spacing_ + 0.5)));
-}
+int PolarLayout::nearest_sector(double bearing) const { return wrapped(floor_of(bearing / spacing_ + 0.5)); }
 
 int PolarLayout::apart(int a, int b) const {
   const int way = wrapped(a - b);

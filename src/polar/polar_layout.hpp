@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "base/fields.hpp"
@@ -33,8 +35,26 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"innermost", "m", "radius of ring 1 of logarithmic radii", 1e-3, 10}, o.innermost);
 }
 
+inline constexpr double kCoarse = 0.005;
+inline double coarse_angle(double y, double x) {
+  const double ax = std::abs(x), ay = std::abs(y), high = std::max(ax, ay);
+  if (!(high > 0)) return 0;
+  const double t = std::min(ax, ay) / high;
+  double a = t * (kPi / 4 + 0.273 * (1 - t));
+  if (ay > ax) a = kPi / 2 - a;
+  if (x < 0) a = kPi - a;
+  return y < 0 ? -a : a;
+}
+
+/// The largest integer <= x, for |x| < 2^31.
+inline int floor_of(double x) {
+  const int i = static_cast<int>(x);
+  return i - (i > x);
+}
+
 /// Where the units of a polar map lie [LM99, Figure 4]: ring 0 at the centre, the last ring at the scope; sector k at
 /// the bearing 2 pi k / sectors of the map's frame.
+/// Angle of (x, y) to within kCoarse, several times faster than angle_of: enough to tell a sector.
 class PolarLayout {
  public:
   explicit PolarLayout(const PolarLayoutOptions& options);

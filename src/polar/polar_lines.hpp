@@ -74,11 +74,11 @@ MEANDER_INLINE void inflow(Block& f, const LineSystem& s, std::size_t row, const
 /// outwards. Each recurrence takes eight rings at a time: three doublings give g_i in terms of g_{i+8} alone.
 template <bool Diagonal>
 MEANDER_INLINE void solve_line(const LineSystem& s, int sector, int left_sector, int right_sector, bool with_source) {
-  const std::size_t row = static_cast<std::size_t>(sector) * s.stride;
+  const std::size_t row = s.row[sector];
   const double* left = s.v + static_cast<std::size_t>(left_sector) * s.stride;
   const double* right = s.v + static_cast<std::size_t>(right_sector) * s.stride;
   const double* source = with_source ? s.source : s.nothing;
-  double* v = s.v + row;
+  double* v = s.v + static_cast<std::size_t>(sector) * s.stride;
   Block f1, f2, f4, g, t, w;  // the block beyond: empty
   zero(f1), zero(f2), zero(f4), zero(g);
   for (int i = s.padded - 8; i >= 0; i -= 8) {
@@ -156,8 +156,7 @@ void sweep_lines(const LineSystem& s) {
 
 /// h_i, h_i h_{i+1}, ... of one line from its factors c_i: how much of the eighth ring farther out reaches ring i, and
 /// the same inwards.
-void factor_line(const LineSystem& s, int sector) {
-  const std::size_t row = static_cast<std::size_t>(sector) * s.stride;
+void factor_line(const LineSystem& s, std::size_t row) {
   Block c, w, t, u, f1, f2, f4;
   zero(f1), zero(f2), zero(f4);
   const auto times = [](Block& x, const Block& y) MEANDER_INLINE_LAMBDA {

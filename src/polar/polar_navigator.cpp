@@ -114,6 +114,10 @@ void PolarNavigator::place_map(const Vec2& target) {
 
 void PolarNavigator::project() {
   projection_.clear();
+  // The controller looks no farther than its trajectories lead; two rings more for rounding to units.
+  const double reach = control_.reach(predicted_) + 2 * layout_.scope() / layout_.rings();
+  projection_.set_reach(hard, reach);
+  projection_.set_reach(soft, reach);
   for (const MappedPoint& point : mapper_.points()) projection_.add(point.position);
   planned_ = &projection_.layer(plan);
 }

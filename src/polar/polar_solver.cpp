@@ -17,6 +17,7 @@ struct LineSystem {
   int sectors, padded;
   std::size_t stride;
   double* v;
+  const std::size_t* row;  ///< where each sector's line factors lie
   const double *source, *nothing, *factor;
   // Weights per ring.
   const double *ring_inward, *ring_outward, *ring_lateral, *ring_inward_diagonal, *ring_outward_diagonal, *ring_total;
@@ -28,7 +29,7 @@ struct LineSystem {
 };
 
 struct Kernel {
-  void (*factor_line)(const LineSystem&, int);
+  void (*factor_line)(const LineSystem&, std::size_t row);
   void (*sweep_lines)(const LineSystem&);
   void (*factor_rings)(const LineSystem&);
   void (*solve_rings)(const LineSystem&);
@@ -105,7 +106,8 @@ PolarSolver::PolarSolver(const PolarLayout& layout, std::vector<RingWeights> wei
   factor_.resize(stride_ + 2 * kInner);
   source_.resize(stride_ + 2 * kInner);
   nothing_.resize(stride_ + 2 * kInner);
-  per_unit_.resize(kUnitArrays * m * stride_ + 2 * kInner);
+  per_unit_.resize(kUnitArrays * (m + 1) * stride_ + 2 * kInner);
+  row_.resize(m);
   per_ring_.resize(kRingArrays * (stride_ + 2 * kInner));
   inner_.resize(5 * kInner * (m + 1) + 2 * kInner);
   double* at = per_ring_.data() + kPad;
@@ -121,6 +123,8 @@ PolarSolver::PolarSolver(const PolarLayout& layout, std::vector<RingWeights> wei
     inner_[static_cast<std::size_t>(kInner + lane)] = solved ? 1 : 0;
   }
   make_table();
+  copy_factors({}, -1);
+  polar::kernel().factor_line(system(), m * stride_);
 }
 
 /// c_i = 1 / (total_i - outward_i e_{i+1}), e_i = inward_i c_i, from the next obstructed ring inwards.
@@ -139,7 +143,7 @@ void PolarSolver::make_table() {
 
 polar::LineSystem PolarSolver::system() {
   const auto m = static_cast<std::size_t>(sectors_);
-  const auto unit = [&](std::size_t k) { return per_unit_.data() + k * m * stride_ + kPad; };
+  const auto unit = [&](std::size_t k) { return per_unit_.data() + k * (m + 1) * stride_ + kPad; };
   const auto ring = [&](std::size_t k) { return per_ring_.data() + k * (stride_ + 2 * kInner) + kPad; };
   const auto inner = [&](std::size_t k) { return inner_.data() + 2 * kInner + k * kInner * (m + 1); };
   const bool diagonal = has_diagonals(weights_);
@@ -147,6 +151,7 @@ polar::LineSystem PolarSolver::system() {
           .padded = padded_,
           .stride = stride_,
           .v = values_.data() + kPad,
+          .row = row_.data(),
           .source = source_.data() + kPad,
           .nothing = nothing_.data() + kPad,
           .factor = factor_.data() + kPad,
@@ -177,8 +182,7 @@ polar::LineSystem PolarSolver::system() {
 }
 
 /// The line's factors from the table: a run between two obstructed units depends on its outer end alone.
-void PolarSolver::copy_factors(const ObstructedUnits& obstructed, int sector) {
-  const auto bits = obstructed.sector_bits(sector);
+void PolarSolver::copy_factors(std::span<const std::uint64_t> bits, int target) {
   double* factor = factor_.data() + kPad;
   const auto copy = [&](int from, int next) {
     const double* row = table_.data() + static_cast<std::size_t>(next) * static_cast<std::size_t>(rings_);
@@ -187,7 +191,7 @@ void PolarSolver::copy_factors(const ObstructedUnits& obstructed, int sector) {
   int next = rings_;
   for (std::size_t word = bits.size(); word-- > 0;) {
     std::uint64_t left = bits[word];
-    if (sector == 0 && static_cast<std::size_t>(target_) >> 6 == word) left |= std::uint64_t{1} << (target_ & 63);
+    if (target >= 0 && static_cast<std::size_t>(target) >> 6 == word) left |= std::uint64_t{1} << (target & 63);
     while (left != 0) {
       const int bit = 63 - std::countl_zero(left), ring = static_cast<int>(word) * 64 + bit;
       copy(ring + 1, next);
@@ -213,9 +217,13 @@ void PolarSolver::prepare(const ObstructedUnits& obstructed, int target) {
   source_[kPad + static_cast<std::size_t>(target_)] = 1;
   const polar::LineSystem s = system();
   for (int k = 0; k < sectors_; ++k) {
-    copy_factors(obstructed, k);
-    polar::kernel().factor_line(s, k);
     open_rings(obstructed, k);
+    const auto bits = obstructed.sector_bits(k);
+    const bool open = k > 0 && std::all_of(bits.begin(), bits.end(), [](std::uint64_t word) { return word == 0; });
+    row_[static_cast<std::size_t>(k)] = static_cast<std::size_t>(open ? sectors_ : k) * stride_;
+    if (open) continue;  // they all share one line's factors
+    copy_factors(bits, k == 0 ? target_ : -1);
+    polar::kernel().factor_line(s, row_[static_cast<std::size_t>(k)]);
   }
   polar::kernel().factor_rings(s);
 }

@@ -47,7 +47,7 @@ class PolarSolver {
   std::size_t index(int sector) const { return static_cast<std::size_t>(sector) * stride_ + kPad; }
   void make_table();
   void prepare(const ObstructedUnits& obstructed, int target);
-  void copy_factors(const ObstructedUnits& obstructed, int sector);
+  void copy_factors(std::span<const std::uint64_t> bits, int target);
   void open_rings(const ObstructedUnits& obstructed, int sector);
   double inflow(int ring, int sector) const;
   polar::LineSystem system();
@@ -64,7 +64,8 @@ class PolarSolver {
   std::vector<double> source_;
   std::vector<double> nothing_;
   std::vector<double> per_ring_;  ///< weights as arrays
-  std::vector<double> per_unit_;  ///< line factors of all units
+  std::vector<double> per_unit_;  ///< line factors of all units, and of a line without obstacles
+  std::vector<std::size_t> row_;  ///< where each sector's are
   std::vector<double> inner_;     ///< of the inner rings
   int target_ = 0;
   int passes_used_ = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace meander {
 
@@ -29,7 +30,8 @@ Projection::Projection(const PolarLayout& layout, std::vector<double> radii)
     : layout_(&layout),
       radii_(std::move(radii)),
       layers_(radii_.size(), ObstructedUnits(layout)),
-      reach_(radii_.size()) {}
+      reaches_(radii_.size(), std::numeric_limits<double>::infinity()),
+      squares_(radii_.size()) {}
 
 void Projection::clear() {
   for (ObstructedUnits& layer : layers_) layer.clear();
@@ -41,14 +43,15 @@ void Projection::add(const Vec2& point) {
   double largest = 0;
   for (std::size_t k = 0; k < radii_.size(); ++k) {
     const double radius = std::min(radii_[k], distance - kCentreFree);
-    reach_[k] = radius * radius;
-    largest = std::max(largest, radius);
+    const bool within = distance - radii_[k] <= reaches_[k];
+    squares_[k] = within ? radius * radius : -1;
+    if (within) largest = std::max(largest, radius);
   }
-  // Sectors whose direction passes within the largest circle, and one more for rounding.
-  const double half = angle_of(largest, std::sqrt(distance * distance - largest * largest));
-  const double middle = angle_of(point.y(), point.x());
-  const int first = static_cast<int>(std::floor((middle - half) / layout_->spacing()));
-  const int last = static_cast<int>(std::ceil((middle + half) / layout_->spacing()));
+  // Sectors whose direction passes within the largest circle, and a little more.
+  const double half = 2 * kCoarse + coarse_angle(largest, std::sqrt(distance * distance - largest * largest));
+  const double middle = coarse_angle(point.y(), point.x());
+  const int first = floor_of((middle - half) / layout_->spacing());
+  const int last = floor_of((middle + half) / layout_->spacing()) + 1;
   const int count = std::min(last - first + 1, layout_->sectors());
   int sector = layout_->wrapped(first);
   for (int k = 0; k < count; ++k) {
@@ -61,7 +64,7 @@ void Projection::add(const Vec2& point) {
 /// Along a sector's direction a circle covers the radii along -+ sqrt(radius^2 - aside^2).
 void Projection::add_to_sector(int sector, double along, double aside) {
   for (std::size_t k = 0; k < layers_.size(); ++k) {
-    const double square = reach_[k] - aside * aside;
+    const double square = squares_[k] - aside * aside;
     if (square < 0) continue;
     const double half = std::sqrt(square);
     if (along + half < 0) continue;

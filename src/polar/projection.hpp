@@ -42,9 +42,8 @@ class Projection {
   /// Obstructs, on each layer, all units within the layer's radius of the point. The radius is cut to 1 mm less than
   /// the point's distance: the robot stands at the centre, so nothing can be there.
   void add(const Vec2& point);
-  /// The radius of a layer, for maps to come.
-  void set_radius(std::size_t layer, double radius) { radii_[layer] = radius; }
-  double radius(std::size_t layer) const { return radii_[layer]; }
+  /// A layer is wanted only this far from the centre: points that obstruct nothing there may be left out.
+  void set_reach(std::size_t layer, double reach) { reaches_[layer] = reach; }
   const ObstructedUnits& layer(std::size_t index) const { return layers_[index]; }
   static constexpr double kCentreFree = 1e-3;
 
@@ -54,7 +53,8 @@ class Projection {
   const PolarLayout* layout_;
   std::vector<double> radii_;
   std::vector<ObstructedUnits> layers_;
-  std::vector<double> reach_;  ///< squared radii, for the point at hand
+  std::vector<double> reaches_;
+  std::vector<double> squares_;  ///< squared radii, for the point at hand; negative: out of reach
 };
 
 }  // namespace meander

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polar/polar_layout.hpp"
+
 namespace meander {
 namespace {
 
@@ -73,14 +75,14 @@ void SonarMemory::contradict() {
   const Beam& first = beams_.front();
   const Vec2 centre = first.from - layout_.radius * first.axis;
   const auto count = static_cast<int>(beams_.size());
-  const double zero = angle_of(first.axis.y(), first.axis.x());
+  const double zero = coarse_angle(first.axis.y(), first.axis.x());
   const int beside = 1 + static_cast<int>(options_.contradiction_angle * count / (2 * kPi));
   for (Scan& scan : ring_)
     for (std::size_t k = 0; k < scan.count; ++k) {
       MemoryPoint& point = scan.points[k];
       const Vec2 way = point.position - centre;
-      const double turns = (angle_of(way.y(), way.x()) - zero) / (2 * kPi);
-      const int nearest = static_cast<int>(std::floor(turns * count + 0.5)) + 2 * count;
+      const double turns = (coarse_angle(way.y(), way.x()) - zero) / (2 * kPi);
+      const int nearest = floor_of(turns * count + 0.5) + 2 * count;
       for (int i = nearest - beside; i <= nearest + beside; ++i)
         if (passes_through(beams_[static_cast<std::size_t>(i % count)], point.position)) {
           ++point.contradicted;
