@@ -8,6 +8,7 @@
 #include "base/names.hpp"
 #include "base/text_file.hpp"
 #include "world/text.hpp"
+#include "world/toml_depth.hpp"
 #include "world/toml_table.hpp"
 #include "world/validity.hpp"
 #include "world/world_file.hpp"
@@ -254,6 +255,7 @@ World read_world(const std::string& path, const Work& work) {
 }
 
 World world_from_toml(const std::string& text, const std::string& path, const Work& work) {
+  check_key_depth(text, path);
   toml::table root;
   try {
     root = toml::parse(text, path);
