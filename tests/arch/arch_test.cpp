@@ -132,6 +132,18 @@ TEST(Architecture, OutsideLibrariesStayWhereTheyBelong) {
   }
 }
 
+/// A name of a file that a script gives goes through script/file_access, which a sandbox watches.
+TEST(Architecture, BindingsTakeFilesAndNoPaths) {
+  static const std::regex kPath(
+      R"([^\]]\((.*[ ,(])?(std::string&?|std::string_view) (path|file|folder|name_of_file)[,)].*)");
+  for (const auto& file : sources({"src/script"}, {".cpp"})) {
+    if (!file.filename().string().starts_with("bind_")) continue;
+    const auto lines = lines_of(file);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      EXPECT_FALSE(std::regex_search(lines[i], kPath)) << place(file, i) << ": InputFile or OutputFile, not a string";
+  }
+}
+
 TEST(Architecture, FilesAndFunctionsStaySmall) {
   constexpr std::size_t kFileCap = 400, kFunctionCap = 60;
   static const std::regex kOpens(R"(^(?:  )?[A-Za-z~\[].*[)a-z:&>\]] \{$)");
