@@ -144,9 +144,17 @@ double MotionControl::reach(const Prediction& now) const {
   return v * now.period + v * v / (2 * body_.a_v);
 }
 
-/// [LM99] 3: the pair with the least value. Candidates come by what they cost without obstacles, the cheapest first,
-/// and their trajectories are followed only until they cost more than the best so far: the same answer as looking at
-/// all.
+/// At least this is what a candidate costs, found without its trajectory and without an exact angle.
+double MotionControl::bound(const MotionTask& task, const MotionCandidate& c) const {
+  const Vec2 way = task.subgoal - c.end.position();
+  const double error = std::abs(angle_between(c.end.heading, coarse_angle(way.y(), way.x())));
+  MotionCandidate best = c;
+  best.heading_error = std::max(0.0, error - kCoarse);
+  return free_cost(best) + obstacle_cost(best);
+}
+
+/// [LM99] 3: the pair with the least value. Candidates come by what they cost at least, the cheapest first, and their
+/// trajectories are followed only until they cost more than the best so far: the same answer as looking at all.
 Command MotionControl::choose(const MotionTask& task) {
   make_window(task);
   const int count = static_cast<int>(speeds_.size() * turns_.size());
@@ -154,23 +162,17 @@ Command MotionControl::choose(const MotionTask& task) {
     return a.bound != b.bound ? a.bound > b.bound : a.index > b.index;
   };
   open_.clear();
-  for (int index = 0; index < count; ++index)
-    open_.push_back({own_ ? 0 : candidate(task, index).distance, index, false});
+  for (int index = 0; index < count; ++index) open_.push_back({own_ ? 0 : bound(task, candidate(task, index)), index});
   std::make_heap(open_.begin(), open_.end(), later);
   double least = std::numeric_limits<double>::infinity();
   while (!open_.empty() && open_.front().bound < least) {
+    const int index = open_.front().index;
     std::pop_heap(open_.begin(), open_.end(), later);
-    const Open open = open_.back();
     open_.pop_back();
-    MotionCandidate tried = candidate(task, open.index);
+    MotionCandidate tried = candidate(task, index);
     aim(task, tried);
     const double free = own_ ? 0 : free_cost(tried);
-    if (!own_ && !open.aimed) {
-      open_.push_back({free, open.index, true});
-      std::push_heap(open_.begin(), open_.end(), later);
-      continue;
-    }
-    look(task, open.index, tried, free, own_ ? std::numeric_limits<double>::infinity() : least);
+    look(task, index, tried, free, own_ ? std::numeric_limits<double>::infinity() : least);
     const double cost = own_ ? own_(tried) : free + obstacle_cost(tried);
     if (cost < least) {
       least = cost;

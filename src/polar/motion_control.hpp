@@ -101,7 +101,6 @@ class MotionControl {
   struct Open {
     double bound;  ///< the cost is at least this
     int index;
-    bool aimed;  ///< the bound knows the heading
   };
   /// The first of so many equal parts of an arc of length 1, and how the next ones are turned.
   struct Stride {
@@ -113,6 +112,7 @@ class MotionControl {
   const Stride& stride(std::size_t turn, bool braking, int count, double heading, double turned);
   MotionCandidate candidate(const MotionTask& task, int index) const;
   void aim(const MotionTask& task, MotionCandidate& candidate) const;
+  double bound(const MotionTask& task, const MotionCandidate& candidate) const;
   double free_cost(const MotionCandidate& candidate) const;
   double obstacle_cost(const MotionCandidate& candidate) const;
   void look(const MotionTask& task, int index, MotionCandidate& candidate, double free, double most);

@@ -25,7 +25,7 @@ struct PolarMapOptions {
   double kappa = 30;
   double margin = 0.05;
   double narrow_margin = 0.02;
-  double merge = 0.02;
+  double merge = 0.03;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, PolarMapOptions>

@@ -193,11 +193,12 @@ void PolarSolver::copy_factors(std::span<const std::uint64_t> bits, int target) 
     std::uint64_t left = bits[word];
     if (target >= 0 && static_cast<std::size_t>(target) >> 6 == word) left |= std::uint64_t{1} << (target & 63);
     while (left != 0) {
-      const int bit = 63 - std::countl_zero(left), ring = static_cast<int>(word) * 64 + bit;
-      copy(ring + 1, next);
-      factor[ring] = 0;
-      next = ring;
-      left &= ~(std::uint64_t{1} << bit);
+      const int high = 63 - std::countl_zero(left), count = std::countl_one(left << (63 - high));
+      const int low = high - count + 1, first = static_cast<int>(word) * 64 + low;
+      copy(first + count, next);
+      std::fill(factor + first, factor + first + count, 0.0);
+      next = first;
+      left = low == 0 ? 0 : left & ~(~std::uint64_t{0} << low);
     }
   }
   copy(0, next);
