@@ -89,11 +89,6 @@ local navigator = {}
 ---@field name string Its name.
 local guide = {}
 
----Drives towards one subgoal by readings and odometry alone.
----@class navigator
----@field name string Its name.
-local navigator = {}
-
 ---A simulation: a world, its robots, a clock.
 ---@class sim
 ---@field time number Time since the start. [s]
@@ -1045,10 +1040,10 @@ function meander.polar.tangent_bug(options) end
 ---@field radii? meander.radii_name equally spaced, or growing by a constant factor; 'uniform' when left out
 ---@field innermost? number radius of ring 1 of logarithmic radii [m]; 0.05 when left out
 ---@field weights? meander.weights_name weights of the connections; 'finite_volume' when left out
----@field kappa? number how fast activation decays along a way, with finite volumes [1/m]; 20 when left out
+---@field kappa? number how fast activation decays along a way, with finite volumes [1/m]; 30 when left out
 ---@field margin? number units nearer to a point than the robot's radius and this are obstructed [m]; 0.05 when left out
 ---@field narrow_margin? number the same, when no activation reaches the robot otherwise [m]; 0.02 when left out
----@field merge? number remembered points in the same square of this size count once; 0: all count [m]; 0.02 when left out
+---@field merge? number remembered points in the same square of this size count once; 0: all count [m]; 0.03 when left out
 
 ---@class meander.polar.navigator.options.prediction
 ---@field enabled? boolean plan for where the robot will be when the command takes effect; true when left out

@@ -33,14 +33,15 @@ void check(const Image& image, const std::string& path) {
          image.height, image.channels, image.pixels.size());
 }
 
-std::string png_text(const Image& image, const std::string& path) {
+}  // namespace
+
+std::string png_bytes(const Image& image, const std::string& path) {
+  check(image, path);
   std::vector<std::uint8_t> bytes;
   const std::string complaint = image_codec().encode_png(image, bytes);
   if (!complaint.empty()) fail<FileError>("{}: cannot be written as PNG: {}", path, complaint);
   return {bytes.begin(), bytes.end()};
 }
-
-}  // namespace
 
 Image image_from_bytes(std::span<const std::uint8_t> bytes, const std::string& name) {
   if (is_pgm(bytes)) return pgm_image(bytes, name);
@@ -64,7 +65,7 @@ void write_image(const std::string& path, const Image& image) {
   if (suffix == ".pgm" && image.channels != 1)
     fail("{}: a grey image expected for PGM, got {} channels", path, image.channels);
   if (suffix == ".pgm") return write_file_atomically(path, pgm_text(image));
-  if (suffix == ".png") return write_file_atomically(path, png_text(image, path));
+  if (suffix == ".png") return write_file_atomically(path, png_bytes(image, path));
   fail("{}: images are written as .png or .pgm, got '{}'", path, suffix);
 }
 

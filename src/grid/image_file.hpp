@@ -31,6 +31,9 @@ Image image_from_bytes(std::span<const std::uint8_t> bytes, const std::string& n
 /// Writes by suffix: .png, .pgm (grey only). Atomic: temporary file, fsync, rename. Throws FileError.
 void write_image(const std::string& path, const Image& image);
 
+/// The bytes of a PNG file; `name` starts the messages.
+std::string png_bytes(const Image& image, const std::string& name);
+
 /// Brightness of a pixel, (0, 0) at the top left: the mean of its colours, without alpha.
 std::uint8_t grey(const Image& image, int x, int y);
 

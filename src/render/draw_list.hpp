@@ -22,6 +22,7 @@ enum class Mark : std::uint8_t {
   ground,
   grid,
   cell,
+  bar,
   sweep,
   cone,
   place,
@@ -31,6 +32,7 @@ enum class Mark : std::uint8_t {
   door,
   mover,
   path,
+  curve,
   echo,
   start,
   goal,
@@ -38,7 +40,7 @@ enum class Mark : std::uint8_t {
   label,
   robot,
 };
-inline constexpr int kMarks = 18;
+inline constexpr int kMarks = 20;
 
 /// [m]; beyond it a double no longer tells millimetres apart.
 inline constexpr double kDrawnReach = 1e12;

@@ -3,6 +3,8 @@
 #include "render/live_picture.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "render/draw_parts.hpp"
 #include "render/draw_world.hpp"
@@ -11,6 +13,7 @@ namespace meander {
 namespace {
 
 constexpr Background kBackground = Background::light;
+constexpr Pose2 kGap{std::numeric_limits<double>::quiet_NaN(), 0, 0};
 
 Vec2 between(const Vec2& from, const Vec2& to, double share) { return from + share * (to - from); }
 
@@ -55,11 +58,23 @@ void LivePicture::set_goals(std::size_t robot, std::vector<TrackGoal> goals) {
 
 void LivePicture::pass(std::size_t robot, const Pose2& pose, bool touching) {
   Way& way = ways_.at(robot);
-  // Finer than a terminal shows: thousands of cycles stay a few hundred points.
-  const double least = 0.25 * picture_unit(list_.view);
-  if (way.poses.empty() || (pose.position() - way.poses.back().position()).norm() >= least) way.poses.push_back(pose);
+  extend(way, pose);
   if (touching && !way.touching) way.contacts.push_back(pose.position());
   way.touching = touching;
+}
+
+/// Places where the robot has been before are not drawn again: however long it drives, there is a limit to its way.
+void LivePicture::extend(Way& way, const Pose2& pose) const {
+  const double place = 0.5 * picture_unit(list_.view);  // finer than most terminals show
+  if (way.last && (pose.position() - way.last->position()).norm() < 0.5 * place) return;
+  const bool known = !way.places.emplace(std::lround(pose.x / place), std::lround(pose.y / place)).second;
+  if (!known && way.known) {
+    way.poses.push_back(kGap);
+    way.poses.push_back(*way.last);
+  }
+  if (!known || !way.known) way.poses.push_back(pose);
+  way.known = known;
+  way.last = pose;
 }
 
 const DrawList& LivePicture::at(const Moment& moment) {
@@ -67,11 +82,14 @@ const DrawList& LivePicture::at(const Moment& moment) {
   list_.items.erase(list_.items.begin() + static_cast<std::ptrdiff_t>(ground_), list_.items.end());
   for (const Disc& mover : moment.movers) list_.items.push_back(DrawDisc{mover, colors.mover, Mark::mover});
   for (std::size_t k = 0; k < std::min(robots_.size(), moment.poses.size()); ++k) {
-    if (k < moment.ranges.size()) draw_scan(list_, robots_[k], moment.poses[k], moment.ranges[k], colors);
+    // The scan stays where it was taken: that is the truth, and little of the picture changes between two scans.
+    if (k < moment.ranges.size()) draw_scan(list_, robots_[k], moment.scanned_from[k], moment.ranges[k], colors);
     Way& way = ways_[k];
+    const std::size_t length = way.poses.size();
+    if (way.known) way.poses.push_back(kGap);
     way.poses.push_back(moment.poses[k]);
     draw_track(list_, {way.poses, robots_[k].radius, way.goals, way.contacts}, colors);
-    way.poses.pop_back();
+    way.poses.resize(length);
   }
   return list_;
 }

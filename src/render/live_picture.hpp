@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
-#include <span>
+#include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "render/draw_run.hpp"
@@ -14,7 +16,8 @@ namespace meander {
 struct Moment {
   double time = 0;                          ///< [s]
   std::vector<Pose2> poses;                 ///< one per robot
-  std::vector<std::vector<double>> ranges;  ///< the last scan of each robot [m]
+  std::vector<Pose2> scanned_from;          ///< where each robot was at its last scan
+  std::vector<std::vector<double>> ranges;  ///< that scan [m]
   std::vector<Disc> movers;
 };
 
@@ -37,13 +40,17 @@ class LivePicture {
 
  private:
   struct Way {
-    std::vector<Pose2> poses;  ///< apart by what can be seen
+    std::vector<Pose2> poses;  ///< apart by what can be seen, each place once; not finite: a gap
+    std::optional<Pose2> last;
+    std::set<std::pair<long, long>> places;
     std::vector<Vec2> contacts;
     std::vector<TrackGoal> goals;
+    bool known = false;  ///< `last` was at a known place
     bool touching = false;
   };
 
   void draw_ground(const World& world);
+  void extend(Way& way, const Pose2& pose) const;
 
   std::vector<RobotLook> robots_;
   std::vector<Way> ways_;

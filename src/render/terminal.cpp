@@ -19,10 +19,11 @@ struct Symbol {
 };
 
 /// By Mark. Cells show their lightness instead of a sign.
-constexpr Symbol kSymbols[kMarks] = {
-    {' ', ""},      {' ', ""},           {' ', ""},     {' ', ""},        {':', "sonar cone"}, {'o', "place"},
-    {'*', "light"}, {'\'', "open door"}, {'#', "wall"}, {'+', "door"},    {'m', "mover"},      {'.', "path"},
-    {'^', "echo"},  {'S', "start"},      {'G', "goal"}, {'x', "contact"}, {'-', ""},           {'@', "robot"}};
+constexpr Symbol kSymbols[kMarks] = {{' ', ""},           {' ', ""},           {' ', ""},      {'#', ""},
+                                     {' ', ""},           {':', "sonar cone"}, {'o', "place"}, {'*', "light"},
+                                     {'\'', "open door"}, {'#', "wall"},       {'+', "door"},  {'m', "mover"},
+                                     {'.', "path"},       {'*', ""},           {'^', "echo"},  {'S', "start"},
+                                     {'G', "goal"},       {'x', "contact"},    {'-', ""},      {'@', "robot"}};
 
 const Symbol& symbol(Mark mark) { return kSymbols[static_cast<std::size_t>(mark)]; }
 

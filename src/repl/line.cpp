@@ -21,6 +21,7 @@
 
 #include "base/data_folder.hpp"
 #include "repl/history.hpp"
+#include "script/terminal_query.hpp"
 
 namespace meander::repl {
 namespace {
@@ -31,6 +32,7 @@ constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGWINCH, SIG
 LineEditor::Completer completer;
 std::optional<std::string> entered;
 bool finished = false;
+std::string typed_ahead;  ///< keys that somebody else has read for the prompt
 volatile std::sig_atomic_t arrived[NSIG];
 
 void note_signal(int signal) { arrived[signal] = 1; }
@@ -252,6 +254,12 @@ LineEnd LineEditor::read_terminal(const std::string& prompt, std::string& line) 
   entered.reset();
   rl_eof_found = 0;  // readline's callbacks never take back an earlier Ctrl-D, and write an empty line for it
   rl_callback_handler_install(prompt.c_str(), on_line);
+  typed_ahead += script::take_typed_ahead();
+  while (!finished && !typed_ahead.empty()) {
+    rl_stuff_char(static_cast<unsigned char>(typed_ahead.front()));
+    typed_ahead.erase(0, 1);
+    rl_callback_read_char();
+  }
   while (!finished) {
     if (signals.wait_for_key()) rl_callback_read_char();
     if (!finished && act_on_signals()) return LineEnd::interrupted;

@@ -7,22 +7,15 @@
 #include "script/bind.hpp"
 #include "script/help_text.hpp"
 #include "script/kit_module.hpp"
+#include "script/picture.hpp"
 
 namespace meander::script {
-
 namespace {
 
 double deg(double angle) { return radians(angle); }
 double rad(double angle) { return degrees(angle); }
 
-void show(const Any& value, const Call& call) {
-  if (lua_isnoneornil(value.L, value.index) || luaL_getmetafield(value.L, value.index, "__show") == LUA_TNIL)
-    fail("something that can be seen expected (a world, a sim, a run, a reading), got {}",
-         describe(value.L, value.index));
-  lua_pushvalue(value.L, value.index);
-  lua_call(value.L, 1, 1);
-  call.write(read_text(value.L, -1, Path{.kind = Path::Kind::value, .name = "__show"}));
-}
+void show(const Any& value, const Call& call) { call.write(terminal_picture(*drawing_of(value.L, value.index), call)); }
 
 const Record* record_meant(const Any& what, const Docs& docs) {
   if (lua_type(what.L, what.index) != LUA_TSTRING) {
@@ -63,11 +56,13 @@ void bind_help(lua_State* L) {
           .args = {{"angle", "in radians", "rad"}},
           .returns = "the angle in degrees",
           .example = "print(rad(math.pi))"})
-      .function<&show>(Doc{.name = "show",
-                           .text = "Draws an object in the terminal: a world, a sim, a run, a sonar reading.",
-                           .args = {{"object", "what to draw"}},
-                           .errors = "something that has no picture",
-                           .example = "show(meander.world.open 'worlds/office.toml')"})
+      .function<&show>(
+          Doc{.name = "show",
+              .text = "Draws in the terminal: a world, a sim, a run, a sonar reading, a picture; numbers as a curve, a "
+                      "matrix as a heat map.",
+              .args = {{"object", "what to draw"}},
+              .errors = "something that has no picture",
+              .example = "show(meander.world.open 'worlds/office.toml')"})
       .function<&help>(
           Doc{.name = "help",
               .text = "Says what something is and how it is used.",

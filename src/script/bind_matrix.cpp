@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
+#include "render/plot.hpp"
 #include "script/bind.hpp"
 #include "script/kit_module.hpp"
 #include "script/kit_type.hpp"
 #include "script/numbers.hpp"
+#include "script/picture.hpp"
 
 namespace meander::script {
 namespace {
@@ -31,6 +33,8 @@ std::vector<std::vector<double>> totable(const Matrix& matrix) {
 }
 
 std::string text(const Matrix& matrix) { return fmt::format("matrix: {} x {}", matrix.rows, matrix.columns); }
+
+DrawList picture(const Matrix& matrix) { return draw_heat_map(*matrix.cells, rows(matrix), columns(matrix)); }
 
 Matrix make(const std::vector<std::vector<double>>& list) {
   Matrix matrix{nullptr, list.size(), list.empty() ? 0 : list.front().size()};
@@ -76,7 +80,8 @@ void bind_matrix(lua_State* L) {
                                       .example = "print(meander.matrix({ {1, 2}, {3, 4} }).columns)"})
       .length<&rows>()
       .element<&row>()
-      .text<&text>();
+      .text<&text>()
+      .picture<&picture>();
 }
 
 }  // namespace meander::script

@@ -2,11 +2,13 @@
 // SPDX-FileCopyrightText: the meander authors
 #include <algorithm>
 
+#include "render/plot.hpp"
 #include "script/bind.hpp"
 #include "script/kit_function.hpp"
 #include "script/kit_module.hpp"
 #include "script/kit_type.hpp"
 #include "script/numbers.hpp"
+#include "script/picture.hpp"
 
 namespace meander::script {
 namespace {
@@ -78,6 +80,8 @@ std::string text(const Numbers& numbers) {
   return text + (numbers.size() > kMostShown ? fmt::format(", ... {} in all}}", numbers.size()) : "}");
 }
 
+DrawList picture(const Numbers& numbers) { return draw_curve(totable(numbers)); }
+
 Numbers make(const std::vector<double>& list) {
   const auto values = std::make_shared<const std::vector<double>>(list);
   return numbers_of(values, *values);
@@ -127,7 +131,8 @@ void bind_numbers(lua_State* L) {
                          .example = "print(meander.numbers({3, 1, 2}):mean())"})
       .length<&length>()
       .element<&at>()
-      .text<&text>();
+      .text<&text>()
+      .picture<&picture>();
 }
 
 }  // namespace meander::script

@@ -37,9 +37,7 @@ void save(const RunRecord& record, const OutputFile& file) {
   else
     save_drawing(path, picture_of(record.run, *record.world), ".svg, .png, .csv or .jsonl");
 }
-std::string show(const RunRecord& record, const Call& call) {
-  return terminal_picture(picture_of(record.run, *record.world), call);
-}
+DrawList picture(const RunRecord& record) { return picture_of(record.run, *record.world); }
 
 std::string text(const RunRecord& record) {
   const Run& run = record.run;
@@ -143,7 +141,7 @@ void bind_run(lua_State* L) {
                          .errors = "unknown suffix; the file cannot be written",
                          .example = EXAMPLE_RUN "run:save(os.tmpname() .. '.csv')"})
       .text<&text>()
-      .picture<&show>();
+      .picture<&picture>();
   bind_outcome(type);
   bind_measures(type);
 }

@@ -29,7 +29,7 @@ std::vector<Vec2> points(const Reading& reading) {
 void save(const Reading& reading, const OutputFile& file) {
   save_drawing(file.path, picture_of(reading), ".svg or .png");
 }
-std::string show(const Reading& reading, const Call& call) { return terminal_picture(picture_of(reading), call); }
+DrawList picture(const Reading& reading) { return picture_of(reading); }
 std::string text(const Reading& reading) {
   const std::size_t echoes = points(reading).size();
   return fmt::format("reading: {} sonars, {} echo{}, at ({:.2f}, {:.2f}) heading {:.2f}", reading.ranges.size(), echoes,
@@ -62,7 +62,7 @@ void bind_reading(lua_State* L) {
                                           .unit = "m, rad",
                                           .example = EXAMPLE_SCAN "print(r.transducers[1].heading)"})
       .text<&text>()
-      .picture<&show>();
+      .picture<&picture>();
 }
 
 }  // namespace

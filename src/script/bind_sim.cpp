@@ -62,7 +62,7 @@ std::vector<RobotView> robots(const SimPtr& sim) {
 }
 
 void save(const Sim& sim, const OutputFile& file) { save_drawing(file.path, picture_of(sim), ".svg or .png"); }
-std::string show(const Sim& sim, const Call& call) { return terminal_picture(picture_of(sim), call); }
+DrawList picture(const Sim& sim) { return picture_of(sim); }
 std::string text(const Sim& sim) {
   const Pose2 at = sim.state().pose_world;
   return fmt::format("sim: \"{}\", {} robot{}, {:.1f} s, at ({:.2f}, {:.2f}) heading {:.2f}, seed {}",
@@ -134,7 +134,7 @@ void bind_sim(lua_State* L) {
                          .errors = "unknown suffix; the file cannot be written",
                          .example = EXAMPLE_SIM "s:save(os.tmpname() .. '.svg')"})
       .text<&text>()
-      .picture<&show>();
+      .picture<&picture>();
   bind_properties(type);
 }
 

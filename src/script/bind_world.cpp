@@ -55,7 +55,7 @@ void save(const World& world, const OutputFile& file) {
     save_drawing(path, picture_of(world), ".toml, .svg or .png");
 }
 
-std::string show(const World& world, const Call& call) { return terminal_picture(picture_of(world), call); }
+DrawList picture(const World& world) { return picture_of(world); }
 
 std::string text(const World& world) {
   std::map<std::string, int> count;
@@ -152,7 +152,7 @@ void bind_world(lua_State* L) {
   Type<World> type(L, "The truth: walls, doors, movers, lights and named places. Every edit can be undone.");
   bind_reading(type);
   bind_header(type);
-  type.text<&text>().picture<&show>().equal<&equal>();
+  type.text<&text>().picture<&picture>().equal<&equal>();
 }
 
 }  // namespace meander::script

@@ -3,10 +3,12 @@
 #include "script/bindings.hpp"
 
 #include "script/bind.hpp"
+#include "script/lua_setup.hpp"
 
 namespace meander::script {
 
 void bind_all(lua_State* L) {
+  open_output(L);
   bind_folder(L);
   bind_world(L);
   bind_world_edit(L);

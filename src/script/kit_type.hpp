@@ -83,7 +83,7 @@ class Type : public TypeBuilder {
     add_element(ResultType<std::remove_cvref_t<typename SignatureOf<F>::Result>>::text(), at<F>);
     return *this;
   }
-  /// std::string F(const T&, const Call&): what show() writes.
+  /// DrawList F(const T&): what show(), save and text of meander.render draw.
   template <auto F>
   Type& picture() {
     add_event("__show", "show", loose<F>);

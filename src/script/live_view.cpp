@@ -9,7 +9,8 @@ namespace meander::script {
 LiveView::LiveView(const Call& call, double speed, double rate)
     : mode_(terminal_mode(terminal_environment(call))), pace_(speed, rate, call.work()) {
   const Session& session = script::session(call.L);
-  if (!session.terminal) return;
+  if (!session.terminal || still_mode(terminal_environment(call)) == StillMode::none) return;
+  hide_progress(call.L);
   if (session.write) {
     screen_.emplace(session.write);
   } else if (holds_terminal()) {
@@ -23,6 +24,12 @@ void LiveView::pass(LivePicture& picture, const Moment& from, const Moment& to,
   if (!live()) return;
   pace_.pass(from.time, to.time,
              [&](double share) { show(picture.at(share < 1 ? between(from, to, share) : to), line()); });
+}
+
+void LiveView::next(const DrawList& list, const std::string& line) {
+  if (!live()) return;
+  pace_.wait_for_frame();
+  show(list, line);
 }
 
 void LiveView::show(const DrawList& list, const std::string& line) {

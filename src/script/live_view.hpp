@@ -22,6 +22,8 @@ class LiveView {
   bool live() const { return screen_.has_value(); }
   /// Leads from one moment to the next, with as many pictures in between as are due; `line` stands below them.
   void pass(LivePicture& picture, const Moment& from, const Moment& to, const std::function<std::string()>& line);
+  /// A picture as soon as the next one is due.
+  void next(const DrawList& list, const std::string& line);
   /// One picture now.
   void show(const DrawList& list, const std::string& line);
   /// Simulated seconds per second so far.

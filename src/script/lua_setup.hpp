@@ -28,4 +28,7 @@ void set_module_folder(lua_State* L, const std::string& folder);
 /// coroutine.resume, wrap and close that know which coroutine runs, so that it can be interrupted.
 void open_threads(lua_State* L);
 
+/// print and io.write that take the progress line away first.
+void open_output(lua_State* L);
+
 }  // namespace meander::script

@@ -41,6 +41,11 @@ void Pace::pass(double from, double to, const std::function<void(double share)>&
   due_ = std::max(due_, Clock::now() - 5 * interval_);
 }
 
+void Pace::wait_for_frame() {
+  wait_until(next_frame_);
+  next_frame_ = std::max(next_frame_ + interval_, Clock::now());
+}
+
 double Pace::measured() const { return passed_ / std::max(1e-6, seconds(Clock::now() - begun_)); }
 
 void Pace::wait_until(Clock::time_point time) const {

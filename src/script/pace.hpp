@@ -18,6 +18,8 @@ class Pace {
   /// Waits until simulated time may be `to`, having been `from`. For each frame due meanwhile it calls draw(share),
   /// with the share of the way in [0, 1]. Throws Cancelled when a stop was asked for.
   void pass(double from, double to, const std::function<void(double share)>& draw);
+  /// Waits until the next frame is due.
+  void wait_for_frame();
   /// Simulated seconds per second so far.
   double measured() const;
 

@@ -7,8 +7,22 @@
 #include "render/draw_run.hpp"
 #include "render/draw_world.hpp"
 #include "render/picture_file.hpp"
-#include "render/terminal.hpp"
+#include "render/plot.hpp"
+#include "render/still.hpp"
 #include "script/terminal_device.hpp"
+#include "script/terminal_query.hpp"
+#include "script/values.hpp"
+
+namespace meander {
+
+std::size_t native_size(const DrawList& list) {
+  std::size_t bytes = sizeof(DrawList) + list.items.size() * sizeof(DrawItem);
+  for (const DrawItem& item : list.items)
+    if (const auto* cells = std::get_if<DrawCells>(&item)) bytes += cells->colors.size() * (sizeof(Color) + 1);
+  return bytes;
+}
+
+}  // namespace meander
 
 namespace meander::script {
 namespace {
@@ -19,9 +33,12 @@ std::string environment(const char* name) {
 }
 
 /// Room for a still picture: the prompt follows it.
-TerminalSize still_size() {
+StillRoom still_room() {
   const auto window = window_size();
-  return window ? TerminalSize{window->columns, std::max(1, window->rows - 2)} : TerminalSize{};
+  if (!window) return {};
+  const TerminalSize size{window->columns, std::max(1, window->rows - 2)};
+  const CellSize cell = cell_size();
+  return {size, size.columns * cell.width, size.rows * cell.height};
 }
 
 }  // namespace
@@ -33,7 +50,9 @@ DrawList picture_of(const Sim& sim) {
   look.movers = false;
   DrawList list = draw_world(sim.world(), look);
   const Theme& colors = theme(look.background);
-  for (const Pole& moving : sim.scene().moving) list.items.push_back(DrawDisc{moving.disc, colors.mover, Mark::mover});
+  const std::vector<Pole>& moving = sim.scene().moving;  // robots first
+  for (std::size_t i = sim.robot_count(); i < moving.size(); ++i)
+    list.items.push_back(DrawDisc{moving[i].disc, colors.mover, Mark::mover});
   for (std::size_t i = 0; i < sim.robot_count(); ++i) {
     const RobotOptions& options = sim.robot(i);
     draw_scan(list, look_of(options), sim.state(i).pose_world, sim.observation(i).readings.sonar, colors);
@@ -73,13 +92,31 @@ TerminalEnvironment terminal_environment(const Call& call) {
           .colorterm = environment("COLORTERM"),
           .no_color = environment("NO_COLOR"),
           .force_color = environment("CLICOLOR_FORCE"),
-          .graphics = environment("MEANDER_GRAPHICS")};
+          .graphics = environment("MEANDER_GRAPHICS"),
+          .multiplexed = !environment("TMUX").empty() || !environment("STY").empty()};
 }
 
 std::string terminal_picture(const DrawList& list, const Call& call) {
-  const TerminalMode mode = terminal_mode(terminal_environment(call));
-  const std::string picture = text(terminal_frame(list, still_size(), mode));
-  return mode == TerminalMode::ascii ? picture + legend(list) + "\n" : picture;
+  const TerminalEnvironment environment = terminal_environment(call);
+  const Session& session = script::session(call.L);
+  const auto decided = still_mode(environment);
+  const StillMode still = decided         ? *decided
+                          : session.write ? StillMode::characters
+                                          : asked_still_mode(session.at_prompt);
+  return still_picture(list, still_room(), still, terminal_mode(environment));
+}
+
+std::shared_ptr<const DrawList> drawing_of(lua_State* L, int index) {
+  const Path path{.kind = Path::Kind::value, .name = "picture"};
+  if (test_box(L, index, tag_of<DrawList>)) return read_object<DrawList>(L, index, path);
+  if (lua_istable(L, index)) return std::make_shared<DrawList>(draw_curve(Lua<Values>::read(L, index, path).list));
+  if (lua_isnoneornil(L, index) || luaL_getmetafield(L, index, "__show") == LUA_TNIL)
+    fail("something that can be seen expected (a world, a sim, a run, a reading, numbers), got {}", describe(L, index));
+  lua_pushvalue(L, index);
+  lua_call(L, 1, 1);
+  const auto drawing = read_object<DrawList>(L, -1, path);
+  lua_pop(L, 1);
+  return drawing;
 }
 
 void save_drawing(const std::string& path, const DrawList& list, const char* suffixes) {

@@ -44,7 +44,12 @@ Work work_of(lua_State* L) {
   return {&s.stop, s.progress};
 }
 
+void hide_progress(lua_State* L) {
+  if (const auto& progress = session(L).progress) progress(-1, "");
+}
+
 void write(lua_State* L, std::string_view text) {
+  hide_progress(L);
   if (const auto& sandbox = session(L).sandbox) sandbox->charge_output(text.size());
   if (const auto& out = session(L).write)
     out(text);

@@ -73,6 +73,8 @@ class InUse {
 };
 /// Stop token and progress for a long computation called from this state.
 Work work_of(lua_State* L);
+/// Takes the progress line away until the next report, because something else is about to be written.
+void hide_progress(lua_State* L);
 /// Writes to the session's output.
 void write(lua_State* L, std::string_view text);
 

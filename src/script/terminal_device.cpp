@@ -63,6 +63,14 @@ std::optional<TerminalSize> window_size() {
   return TerminalSize{std::min<int>(size.ws_col, 1000), std::min<int>(size.ws_row, 1000)};
 }
 
+CellSize cell_size() {
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_xpixel < size.ws_col || size.ws_ypixel < size.ws_row ||
+      size.ws_col == 0 || size.ws_row == 0)
+    return {};
+  return {size.ws_xpixel / size.ws_col, size.ws_ypixel / size.ws_row};
+}
+
 void write_at_once(std::string_view text) {
   std::fflush(stdout);
   while (!text.empty()) {

@@ -13,6 +13,12 @@ namespace meander::script {
 /// The size of the terminal behind standard output, if there is one.
 std::optional<TerminalSize> window_size();
 
+/// The size of one character in pixels, as far as the terminal tells.
+struct CellSize {
+  int width = 10, height = 20;
+};
+CellSize cell_size();
+
 /// Writes to standard output at once, behind everything written before. Signals do not cut it short.
 void write_at_once(std::string_view text);
 

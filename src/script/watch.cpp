@@ -30,11 +30,13 @@ std::vector<RobotLook> looks_of(const Sim& sim) {
 }
 
 Moment moment_of(const Sim& sim) {
-  Moment moment{.time = sim.time(), .poses = {}, .ranges = {}, .movers = {}};
+  Moment moment;
+  moment.time = sim.time();
   for (std::size_t k = 0; k < sim.robot_count(); ++k) {
     moment.poses.push_back(sim.state(k).pose_world);
     moment.ranges.push_back(sim.observation(k).readings.sonar);
   }
+  moment.scanned_from = moment.poses;
   const std::vector<Pole>& moving = sim.scene().moving;  // robots first
   for (std::size_t i = sim.robot_count(); i < moving.size(); ++i) moment.movers.push_back(moving[i].disc);
   return moment;
@@ -56,10 +58,14 @@ class WatchedDrive {
 
   LivePicture& picture() { return picture_; }
 
-  Moment moment(const Drive& drive) {
-    picture_.follow(sim_.world());
+  /// The robots have arrived where they are now.
+  void pass() {
     for (std::size_t k = 0; k < sim_.robot_count(); ++k)
       picture_.pass(k, sim_.state(k).pose_world, sim_.state(k).touching);
+  }
+
+  Moment moment(const Drive& drive) {
+    picture_.follow(sim_.world());
     for (std::size_t k = 0; k < drive.pilots(); ++k) {
       const Run& run = drive.run(k);
       std::vector<TrackGoal> goals;
@@ -89,8 +95,10 @@ class WatchedRun {
 
   LivePicture& picture() { return picture_; }
 
+  /// The robot has arrived where it was after this cycle.
+  void pass(const RunStep& step) { picture_.pass(0, step.pose_world, step.touching); }
+
   Moment moment(const RunStep& step) {
-    picture_.pass(0, step.pose_world, step.touching);
     // When a subgoal was reached is not recorded: it was near.
     const auto reached = static_cast<std::size_t>(reached_);
     if (reached_ < run_.reached && reached < run_.goals.size() &&
@@ -101,6 +109,7 @@ class WatchedRun {
     picture_.set_goals(0, std::move(goals));
     return {.time = step.time,
             .poses = {step.pose_world},
+            .scanned_from = {step.pose_world},
             .ranges = {std::vector<double>(step.sonar.begin(), step.sonar.end())},
             .movers = {}};
   }
@@ -144,11 +153,13 @@ std::shared_ptr<DriveRuns> watch_drive(const std::shared_ptr<Sim>& sim, const Wa
   Driving driving(sim, table, call);
   WatchedDrive watched(sim, table);
   Moment moment = watched.moment(driving.state());
+  watched.pass();
   {
     LiveView view(call, speed_of(table), table.rate);
     while (driving.step()) {
       const Moment before = std::exchange(moment, watched.moment(driving.state()));
       view.pass(watched.picture(), before, moment, [&] { return watched.line(driving.state(), view.speed()); });
+      watched.pass();
       if (!view.live()) driving.report();
     }
   }
@@ -167,6 +178,7 @@ void watch_run(const RunRecord& record, const WatchTable& table, const Call& cal
     for (const RunStep& step : steps) {
       const Moment before = std::exchange(moment, watched.moment(step));
       view.pass(watched.picture(), before, moment, [&] { return watched.line(step, view.speed()); });
+      watched.pass(step);
     }
   }
   leave_picture(watched.picture(), moment, call);

@@ -326,7 +326,7 @@ TEST_F(SimScript, SavesAndShows) {
   EXPECT_GT(shown.size(), 300u);
   EXPECT_EQ(
       run("show(3)"),
-      "error: test:1: show: something that can be seen expected (a world, a sim, a run, a reading), got number 3");
+      "error: test:1: show: something that can be seen expected (a world, a sim, a run, a reading, numbers), got number 3");
 }
 
 TEST_F(SimScript, CollectingInBetweenChangesNothing) {
