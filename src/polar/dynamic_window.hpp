@@ -12,14 +12,14 @@ namespace meander {
 struct DynamicWindowOptions {
   int speeds = 11;
   int turns = 21;
-  double heading_weight = 2;
+  double heading_weight = 3;
   double distance_weight = 0.2;
-  double speed_weight = 0.2;
-  double margin = 0.05;
-  double reach = 2.0;
+  double speed_weight = 0.32;
+  double margin = 0.07;
+  double reach = 3.4;
   double patience = 15;
   double progress = 0.10;
-  SonarMemoryOptions memory{};
+  SonarMemoryOptions memory{.scans = 12};
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, DynamicWindowOptions>

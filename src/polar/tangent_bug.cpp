@@ -80,11 +80,22 @@ class TangentBug {
     target_bearing_ = angle_of(target_.y(), target_.x());
     const double radius = platform_.body.radius + options_.clearance;
     points_near(memory_, pose, platform_.body.radius, options_.reach + radius, points_);
-    turned_.resize(points_.size());
-    for (int k = 0; k < options_.directions; ++k) {
-      const Pose2 back{0, 0, -bearing_of(k)};
-      std::transform(points_.begin(), points_.end(), turned_.begin(), [&](const Vec2& p) { return back * p; });
-      free_[at(k)] = free_arc(turned_, 0, radius, options_.reach);
+    std::fill(free_.begin(), free_.end(), options_.reach);
+    for (const Vec2& point : points_) shorten(point, radius);
+  }
+
+  /// The directions in which the body would touch the point, and after which way.
+  void shorten(const Vec2& point, double radius) {
+    const double distance = point.norm(), touch = std::min(radius, distance - kContact);
+    const double bearing = angle_between(target_bearing_, angle_of(point.y(), point.x()));
+    const double half = angle_of(touch, std::sqrt(distance * distance - touch * touch));
+    const int first = static_cast<int>(std::ceil((bearing - half) / step_));
+    const int last = static_cast<int>(std::floor((bearing + half) / step_));
+    for (int k = first; k <= last; ++k) {
+      const SinCos off = sin_cos(k * step_ - bearing);
+      const double beside = distance * off.sin;
+      const double way = distance * off.cos - std::sqrt(std::max(0.0, touch * touch - beside * beside));
+      free_[at(k)] = std::min(free_[at(k)], std::max(0.0, way));
     }
   }
 
@@ -179,6 +190,7 @@ class TangentBug {
     return fmt::format("no way on for {:g} s", options_.patience);
   }
 
+  static constexpr double kContact = 1e-3;  ///< points within the body count as touched from so far outside [m]
   static constexpr double kTouch = 1e-6;    ///< [m]
   static constexpr double kBeside = 1.9;    ///< how far from beside the way the wall may be [rad]
   static constexpr double kRound = 8;       ///< a way round is at least so many times the size of `loop`
@@ -192,7 +204,6 @@ class TangentBug {
   double step_;
   std::vector<double> free_;  ///< way [m] in each direction, the subgoal's first
   std::vector<Vec2> points_;
-  std::vector<Vec2> turned_;
   Vec2 subgoal_{std::numeric_limits<double>::quiet_NaN(), 0};
   Vec2 target_{0, 0};  ///< the subgoal in the robot's frame
   double target_bearing_ = 0;

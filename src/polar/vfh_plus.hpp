@@ -10,18 +10,18 @@ namespace meander {
 /// VFH+ [UB98]: a polar histogram of what was seen lately, from which free directions are picked by cost.
 struct VfhPlusOptions {
   int sectors = 72;
-  double window = 2.0;
-  double enlarge = 0.12;
-  double low = 0.6;
-  double high = 1.2;
-  int wide_valley = 16;
+  double window = 1.0;
+  double enlarge = 0.02;
+  double low = 0.45;
+  double high = 1.0;
+  int wide_valley = 11;
   double goal_weight = 5;
-  double heading_weight = 2;
-  double previous_weight = 2;
+  double heading_weight = 2.3;
+  double previous_weight = 2.6;
   double patience = 15;
   double progress = 0.10;
-  SteeringOptions steering{};
-  SonarMemoryOptions memory{};
+  SteeringOptions steering{.turn_gain = 2.3, .margin = 0.10, .headway = 0.15, .caution = 0.33};
+  SonarMemoryOptions memory{.scans = 6, .contradictions = 4};
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, VfhPlusOptions>
