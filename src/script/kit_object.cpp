@@ -91,8 +91,8 @@ void account(lua_State* L, std::size_t bytes) {
   debt += bytes;
   if (debt < kSmall) return;
   const std::size_t kilobytes = std::min<std::size_t>(debt / 1024, 1 << 20);
+  if (session(L).sandbox) session(L).sandbox->add_native(L, debt);
   debt = 0;
-  if (session(L).sandbox) session(L).sandbox->measure(L);
   if (lua_gc(L, LUA_GCISRUNNING)) lua_gc(L, LUA_GCSTEP, static_cast<int>(kilobytes));
 }
 

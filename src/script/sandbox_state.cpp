@@ -85,10 +85,16 @@ std::size_t Sandbox::native_now() const {
 
 void Sandbox::measure(lua_State* L) {
   native_bytes_ = native_now();
+  unmeasured_ = 0;
   if (in_use() < next_collection_) return;
   lua_gc(L, LUA_GCCOLLECT);
   native_bytes_ = native_now();
   next_collection_ = std::clamp(in_use() + in_use() / 8, limit_ / 4 * 3, limit_);
+}
+
+void Sandbox::add_native(lua_State* L, std::size_t bytes) {
+  unmeasured_ += bytes;
+  if (unmeasured_ >= limit_ / 64) measure(L);
 }
 
 void Sandbox::become_worker(int count) {

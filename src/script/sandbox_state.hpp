@@ -34,6 +34,8 @@ class Sandbox {
   static void* allocate(void* sandbox, void* block, std::size_t old_size, std::size_t new_size);
   /// Looks at how much native objects hold now; collects garbage when the limit is near.
   void measure(lua_State* L);
+  /// A native object of this size was made: measures now and then.
+  void add_native(lua_State* L, std::size_t bytes);
   /// In a forked worker, one of `count` at a time: its share of what memory is left, and no workers of its own.
   void become_worker(int count);
   bool is_worker() const { return worker_; }
@@ -62,6 +64,7 @@ class Sandbox {
   std::size_t native_bytes_ = 0;
   std::size_t bytes_at_start_;  ///< that the process had taken before
   std::size_t next_collection_;
+  std::size_t unmeasured_ = 0;  ///< bytes made since
   /// Shared with workers.
   struct Shared {
     std::atomic<std::int64_t> instructions{0};
