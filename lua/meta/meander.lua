@@ -923,30 +923,30 @@ function navigator:reset() end
 function guide:reset() end
 
 ---@class meander.polar.vfh_plus.options.steering
----@field turn_gain? number turning rate per radian of heading error [1/s]; 1.5 when left out
----@field margin? number hull distance that braking keeps free [m]; 0.05 when left out
----@field headway? number way that braking leaves besides: so many seconds at the present speed [s]; 0.2 when left out
----@field caution? number hull distance below which the speed falls [m]; 0.3 when left out
+---@field turn_gain? number turning rate per radian of heading error [1/s]; 2.3 when left out
+---@field margin? number hull distance that braking keeps free [m]; 0.1 when left out
+---@field headway? number way that braking leaves besides: so many seconds at the present speed [s]; 0.15 when left out
+---@field caution? number hull distance below which the speed falls [m]; 0.33 when left out
 
 ---@class meander.polar.vfh_plus.options.memory
----@field scans? integer how many scans are remembered; 10 when left out
+---@field scans? integer how many scans are remembered; 6 when left out
 ---@field range_min? number least range of the sonars: what reads so near may touch the hull [m]; 0.152 when left out
 ---@field range_max? number a reading from here on is no echo [m]; 6.477 when left out
 ---@field saturated_gap? number a reading at the least range counts as a point this far from the hull [m]; 0.04 when left out
----@field contradictions? integer newer beams through a point that make it forgotten; 0: never; 2 when left out
+---@field contradictions? integer newer beams through a point that make it forgotten; 0: never; 4 when left out
 ---@field contradiction_angle? number how far off a beam's axis its range still tells that a place is free [rad]; 0.1 when left out
 
 ---@class meander.polar.vfh_plus.options
 ---@field robot? meander.robot_name|meander.polar.potential_field.options.robot kind of robot that it drives
 ---@field sectors? integer of the histogram; 72 when left out
----@field window? number what is farther does not count [m]; 2 when left out
----@field enlarge? number by how much more than the robot's radius obstacles are enlarged [m]; 0.12 when left out
----@field low? number a sector is free when its density is below this; 0.6 when left out
----@field high? number and blocked above this; between them it stays what it was; 1.2 when left out
----@field wide_valley? integer openings of more sectors than this have two edges to drive along [sectors]; 16 when left out
+---@field window? number what is farther does not count [m]; 1 when left out
+---@field enlarge? number by how much more than the robot's radius obstacles are enlarged [m]; 0.02 when left out
+---@field low? number a sector is free when its density is below this; 0.45 when left out
+---@field high? number and blocked above this; between them it stays what it was; 1 when left out
+---@field wide_valley? integer openings of more sectors than this have two edges to drive along [sectors]; 11 when left out
 ---@field goal_weight? number cost of turning away from the subgoal; 5 when left out
----@field heading_weight? number cost of turning; 2 when left out
----@field previous_weight? number cost of another direction than the last; 2 when left out
+---@field heading_weight? number cost of turning; 2.3 when left out
+---@field previous_weight? number cost of another direction than the last; 2.6 when left out
 ---@field patience? number trapped after so long without progress [s]; 15 when left out
 ---@field progress? number what counts as progress towards the subgoal [m]; 0.1 when left out
 ---@field steering? meander.polar.vfh_plus.options.steering how the direction is driven
@@ -963,18 +963,26 @@ function guide:reset() end
 ---@return navigator # the navigator
 function meander.polar.vfh_plus(options) end
 
+---@class meander.polar.dynamic_window.options.memory
+---@field scans? integer how many scans are remembered; 12 when left out
+---@field range_min? number least range of the sonars: what reads so near may touch the hull [m]; 0.152 when left out
+---@field range_max? number a reading from here on is no echo [m]; 6.477 when left out
+---@field saturated_gap? number a reading at the least range counts as a point this far from the hull [m]; 0.04 when left out
+---@field contradictions? integer newer beams through a point that make it forgotten; 0: never; 2 when left out
+---@field contradiction_angle? number how far off a beam's axis its range still tells that a place is free [rad]; 0.1 when left out
+
 ---@class meander.polar.dynamic_window.options
 ---@field robot? meander.robot_name|meander.polar.potential_field.options.robot kind of robot that it drives
 ---@field speeds? integer forward speeds tried in the window; 11 when left out
 ---@field turns? integer turning rates tried in the window; 21 when left out
----@field heading_weight? number of facing the subgoal in the end; 2 when left out
+---@field heading_weight? number of facing the subgoal in the end; 3 when left out
 ---@field distance_weight? number of the free way along the arc; 0.2 when left out
----@field speed_weight? number of going fast; 0.2 when left out
----@field margin? number hull distance that counts as contact [m]; 0.05 when left out
----@field reach? number a longer free way is not worth more [m]; 2 when left out
+---@field speed_weight? number of going fast; 0.32 when left out
+---@field margin? number hull distance that counts as contact [m]; 0.07 when left out
+---@field reach? number a longer free way is not worth more [m]; 3.4 when left out
 ---@field patience? number trapped after so long without progress [s]; 15 when left out
 ---@field progress? number what counts as progress towards the subgoal [m]; 0.1 when left out
----@field memory? meander.polar.vfh_plus.options.memory what is remembered of the sonar
+---@field memory? meander.polar.dynamic_window.options.memory what is remembered of the sonar
 
 ---The dynamic window approach: of the velocities in reach, the best sum of heading, free way, speed.
 ---
@@ -988,28 +996,28 @@ function meander.polar.vfh_plus(options) end
 function meander.polar.dynamic_window(options) end
 
 ---@class meander.polar.tangent_bug.options.steering
----@field turn_gain? number turning rate per radian of heading error [1/s]; 1.5 when left out
----@field margin? number hull distance that braking keeps free [m]; 0.05 when left out
----@field headway? number way that braking leaves besides: so many seconds at the present speed [s]; 0.2 when left out
----@field caution? number hull distance below which the speed falls [m]; 0.15 when left out
+---@field turn_gain? number turning rate per radian of heading error [1/s]; 1.1 when left out
+---@field margin? number hull distance that braking keeps free [m]; 0.09 when left out
+---@field headway? number way that braking leaves besides: so many seconds at the present speed [s]; 0.42 when left out
+---@field caution? number hull distance below which the speed falls [m]; 0.08 when left out
 
 ---@class meander.polar.tangent_bug.options.memory
----@field scans? integer how many scans are remembered; 30 when left out
+---@field scans? integer how many scans are remembered; 17 when left out
 ---@field range_min? number least range of the sonars: what reads so near may touch the hull [m]; 0.152 when left out
 ---@field range_max? number a reading from here on is no echo [m]; 6.477 when left out
 ---@field saturated_gap? number a reading at the least range counts as a point this far from the hull [m]; 0.04 when left out
----@field contradictions? integer newer beams through a point that make it forgotten; 0: never; 0 when left out
+---@field contradictions? integer newer beams through a point that make it forgotten; 0: never; 1 when left out
 ---@field contradiction_angle? number how far off a beam's axis its range still tells that a place is free [rad]; 0.1 when left out
 
 ---@class meander.polar.tangent_bug.options
 ---@field robot? meander.robot_name|meander.polar.potential_field.options.robot kind of robot that it drives
 ---@field directions? integer in which the free way is looked at; 72 when left out
----@field reach? number how far the readings are trusted [m]; 2.5 when left out
----@field clearance? number hull distance at which walls are passed [m]; 0.08 when left out
----@field jump? number neighbours whose free ways differ by more are the end of an obstacle [m]; 0.3 when left out
----@field constancy? number another end is taken only when its way is shorter by this [m]; 0.2 when left out
----@field follow_look? number free way that makes a direction good enough along a wall [m]; 0.7 when left out
----@field leave? number a wall is left when a place so much nearer to the subgoal than any of it is in reach [m]; 0.15 when left out
+---@field reach? number how far the readings are trusted [m]; 1.9 when left out
+---@field clearance? number hull distance at which walls are passed [m]; 0.06 when left out
+---@field jump? number neighbours whose free ways differ by more are the end of an obstacle [m]; 0.17 when left out
+---@field constancy? number another end is taken only when its way is shorter by this [m]; 0.53 when left out
+---@field follow_look? number free way that makes a direction good enough along a wall [m]; 0.87 when left out
+---@field leave? number a wall is left when a place so much nearer to the subgoal than any of it is in reach [m]; 0.16 when left out
 ---@field loop? number coming so near to where following began means that there is no way [m]; 0.5 when left out
 ---@field patience? number trapped after so long at the same place [s]; 15 when left out
 ---@field progress? number what counts as another place [m]; 0.3 when left out
@@ -1044,6 +1052,14 @@ function meander.polar.tangent_bug(options) end
 ---@field margin? number units nearer to a point than the robot's radius and this are obstructed [m]; 0.05 when left out
 ---@field narrow_margin? number the same, when no activation reaches the robot otherwise [m]; 0.02 when left out
 ---@field merge? number remembered points in the same square of this size count once; 0: all count [m]; 0.03 when left out
+
+---@class meander.polar.navigator.options.memory
+---@field scans? integer how many scans are remembered; 10 when left out
+---@field range_min? number least range of the sonars: what reads so near may touch the hull [m]; 0.152 when left out
+---@field range_max? number a reading from here on is no echo [m]; 6.477 when left out
+---@field saturated_gap? number a reading at the least range counts as a point this far from the hull [m]; 0.04 when left out
+---@field contradictions? integer newer beams through a point that make it forgotten; 0: never; 2 when left out
+---@field contradiction_angle? number how far off a beam's axis its range still tells that a place is free [rad]; 0.1 when left out
 
 ---@class meander.polar.navigator.options.prediction
 ---@field enabled? boolean plan for where the robot will be when the command takes effect; true when left out
@@ -1092,7 +1108,7 @@ function meander.polar.tangent_bug(options) end
 ---@field robot? meander.robot_name|meander.polar.potential_field.options.robot kind of robot that it drives
 ---@field mode? meander.mode_name with the remedies beyond the paper, or without them; 'full' when left out
 ---@field map? meander.polar.navigator.options.map the polar map
----@field memory? meander.polar.vfh_plus.options.memory the short-term memory
+---@field memory? meander.polar.navigator.options.memory the short-term memory
 ---@field prediction? meander.polar.navigator.options.prediction prediction of the configuration
 ---@field solver? meander.polar.navigator.options.solver how the equilibrium is found
 ---@field subgoal? meander.polar.navigator.options.subgoal how the subgoal is read off
@@ -1263,7 +1279,7 @@ function sim:save(path) end
 ---@field stop_on_contact? boolean end at the first contact; false when left out
 ---@field record_every? integer keep every n-th cycle; 0: none; 1 when left out
 
----Closes the loop: guide, navigator, step, until the guide has finished, the time is up or on_step says so.
+---Closes the loop: guide, navigator, step, until the guide has finished, the time is up or on_step says so. What an interrupt or an error cuts short is kept: see last_run.
 ---
 ---Fails on unknown navigator or place; errors of the functions given.
 ---

@@ -65,8 +65,8 @@ void LivePicture::pass(std::size_t robot, const Pose2& pose, bool touching) {
 
 /// Places where the robot has been before are not drawn again: however long it drives, there is a limit to its way.
 void LivePicture::extend(Way& way, const Pose2& pose) const {
-  const double place = 0.5 * picture_unit(list_.view);  // finer than most terminals show
-  if (way.last && (pose.position() - way.last->position()).norm() < 0.5 * place) return;
+  const double place = picture_unit(list_.view);  // a pixel of a terminal with a hundred columns
+  if (way.last && (pose.position() - way.last->position()).norm() < 0.25 * place) return;
   const bool known = !way.places.emplace(std::lround(pose.x / place), std::lround(pose.y / place)).second;
   if (!known && way.known) {
     way.poses.push_back(kGap);

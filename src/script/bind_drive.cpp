@@ -27,7 +27,8 @@ void bind_drive(lua_State* L) {
   Type<Sim>(L)
       .method<&drive_from_lua>(Doc{.name = "drive",
                                    .text = "Closes the loop: guide, navigator, step, until the guide has finished, the "
-                                           "time is up or on_step says so.",
+                                           "time is up or on_step says so. What an interrupt or an error cuts short is "
+                                           "kept: see last_run.",
                                    .args = {{"options", "who drives, and where to"}},
                                    .returns = "the run, or a list of runs where pilots were given",
                                    .returns_type = "run or list of run",
