@@ -1,6 +1,6 @@
----@meta meander
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- SPDX-FileCopyrightText: the meander authors
+---@meta meander
 -- What scripts see of meander, for the Lua language server. Written by `meander doc --write`; changes here are lost.
 
 ---A point; results have [1], [2] and x, y, arguments may have either.
@@ -681,7 +681,7 @@ function world:set(options) end
 ---w = meander.world.generate { kind = 'clutter', seed = 3, density = 0.08 }
 ---```
 ---@param options? meander.world.generate.options what kind, the seed, how dense, how wide a route
----@return world # the world; or nil and why when there is none
+---@return world|nil # the world; or nil and why when there is none
 ---@return string|nil
 function meander.world.generate(options) end
 

@@ -51,6 +51,7 @@ void bind_world_generate(lua_State* L) {
                                .text = "Makes a world from a seed: clutter, boxes and discs strewn over a room.",
                                .args = {{"options", "what kind, the seed, how dense, how wide a route"}},
                                .returns = "the world; or nil and why when there is none",
+                               .returns_type = "world or nil, string or nil",
                                .errors = "a number out of range",
                                .example = "w = meander.world.generate { kind = 'clutter', seed = 3, density = 0.08 }"});
 }

@@ -14,9 +14,9 @@
 namespace meander::script {
 namespace {
 
-constexpr const char* kHead = R"(---@meta meander
--- SPDX-License-Identifier: GPL-3.0-or-later
+constexpr const char* kHead = R"(-- SPDX-License-Identifier: GPL-3.0-or-later
 -- SPDX-FileCopyrightText: the meander authors
+---@meta meander
 -- What scripts see of meander, for the Lua language server. Written by `meander doc --write`; changes here are lost.
 
 )";
