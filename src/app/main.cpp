@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <exception>
+#include <new>
 
 #include "app/batch.hpp"
 #include "app/command_line.hpp"
@@ -43,6 +44,9 @@ int main(int argc, char** argv) {
   if (const auto code = meander::parse_command_line(argc, argv, line)) return *code;
   try {
     return meander::run(std::move(line));
+  } catch (const std::bad_alloc&) {
+    meander::complain("not enough memory");
+    return meander::kExitScriptError;
   } catch (const std::exception& error) {
     meander::complain(error.what());
     return meander::kExitScriptError;

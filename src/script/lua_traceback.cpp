@@ -88,6 +88,17 @@ int on_error(lua_State* L) {
   return 1;
 }
 
+/// A message that nobody would read to its end is cut: copies of it take memory that may be short.
+std::string pop_message(lua_State* L) {
+  constexpr std::size_t kMost = 64 << 10;
+  std::size_t length = 0;
+  const char* text = lua_tolstring(L, -1, &length);
+  if (!text || length <= kMost) return pop_text(L);
+  std::string message = fmt::format("{}... ({} bytes)", std::string_view(text, kMost), length);
+  lua_pop(L, 1);
+  return message;
+}
+
 }  // namespace
 
 std::string pop_text(lua_State* L) {
@@ -110,7 +121,7 @@ bool call_reporting(lua_State* L, int count, ErrorReport& report) {
   lua_pushcclosure(L, on_error, 1);
   lua_insert(L, base);
   const bool done = lua_pcall(L, count, LUA_MULTRET, base) == LUA_OK;
-  if (!done) report.message = pop_text(L);
+  if (!done) report.message = pop_message(L);
   lua_remove(L, base);
   return done;
 }

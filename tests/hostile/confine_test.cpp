@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -68,6 +69,11 @@ TEST_F(Confine, NoNetwork) {
 
 TEST_F(Confine, NoLinks) {
   EXPECT_EQ(inside([&] { return symlink("/etc", (folder_ / "box" / "etc").c_str()) == 0 ? 0 : errno; }), EPERM);
+}
+
+TEST_F(Confine, NothingIsTypedIntoTheTerminal) {
+  EXPECT_EQ(inside([] { return ioctl(-1, TIOCSTI, "x") == 0 ? 0 : errno; }), EPERM);
+  EXPECT_EQ(inside([] { return ioctl(-1, TIOCGWINSZ, nullptr) == 0 ? 0 : errno; }), EBADF) << "others pass";
 }
 
 TEST_F(Confine, WorkersAndThreadsStillStart) {
