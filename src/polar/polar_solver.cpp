@@ -5,79 +5,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
-#include <utility>
+
+#include "polar/polar_lines.hpp"
 
 namespace meander {
-namespace polar {
-
-/// Arrays of one solver. Lines lie one after the other, `stride` apart; ring arrays and lines have 8 empty places on
-/// both sides.
-struct LineSystem {
-  int sectors, padded;
-  std::size_t stride;
-  double* v;
-  const std::size_t* row;  ///< where each sector's line factors lie
-  const double *source, *nothing, *factor;
-  // Weights per ring.
-  const double *ring_inward, *ring_outward, *ring_lateral, *ring_inward_diagonal, *ring_outward_diagonal, *ring_total;
-  // Per unit: share of the neighbours, and of the ring 1, 2, 4, 8 farther out or in. No diagonal ones: null.
-  double *lateral, *inward_diagonal, *outward_diagonal, *in1, *in2, *in4, *in8, *out1, *out2, *out4, *out8;
-  // Of the inner rings, 16 per sector.
-  double *ring_open, *ring_q, *ring_p, *ring_z, *ring_y;
-  const double *ring_keep, *ring_take;
-};
-
-struct Kernel {
-  void (*factor_line)(const LineSystem&, std::size_t row);
-  void (*sweep_lines)(const LineSystem&);
-  void (*factor_rings)(const LineSystem&);
-  void (*solve_rings)(const LineSystem&);
-};
-
-namespace plain {
-#define MEANDER_LANES 2
-#include "polar/polar_lines.hpp"
-#undef MEANDER_LANES
-constexpr Kernel kKernel{factor_line, sweep_lines, factor_rings, solve_rings};
-}  // namespace plain
-
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define MEANDER_WIDE_KERNELS
-#pragma GCC push_options
-#pragma GCC target("avx2")
-namespace avx2 {
-#define MEANDER_LANES 4
-#include "polar/polar_lines.hpp"
-#undef MEANDER_LANES
-constexpr Kernel kKernel{factor_line, sweep_lines, factor_rings, solve_rings};
-}  // namespace avx2
-#pragma GCC pop_options
-#pragma GCC push_options
-#pragma GCC target("avx512f,avx512dq,avx512vl")
-namespace avx512 {
-#define MEANDER_LANES 8
-#include "polar/polar_lines.hpp"
-#undef MEANDER_LANES
-constexpr Kernel kKernel{factor_line, sweep_lines, factor_rings, solve_rings};
-}  // namespace avx512
-#pragma GCC pop_options
-#endif
-
-/// The widest registers that this processor has.
-const Kernel& kernel() {
-#ifdef MEANDER_WIDE_KERNELS
-  static const Kernel& best = __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") ? avx512::kKernel
-                              : __builtin_cpu_supports("avx2")                                         ? avx2::kKernel
-                                                                                                       : plain::kKernel;
-  return best;
-#else
-  return plain::kKernel;
-#endif
-}
-
-}  // namespace polar
-
 namespace {
 
 constexpr int kInner = 16;       ///< rings that are also solved ring by ring
@@ -124,7 +55,7 @@ PolarSolver::PolarSolver(const PolarLayout& layout, std::vector<RingWeights> wei
   }
   make_table();
   copy_factors({}, -1);
-  polar::kernel().factor_line(system(), m * stride_);
+  polar::factor_line(system(), m * stride_);
 }
 
 /// c_i = 1 / (total_i - outward_i e_{i+1}), e_i = inward_i c_i, from the next obstructed ring inwards.
@@ -224,19 +155,18 @@ void PolarSolver::prepare(const ObstructedUnits& obstructed, int target) {
     row_[static_cast<std::size_t>(k)] = static_cast<std::size_t>(open ? sectors_ : k) * stride_;
     if (open) continue;  // they all share one line's factors
     copy_factors(bits, k == 0 ? target_ : -1);
-    polar::kernel().factor_line(s, row_[static_cast<std::size_t>(k)]);
+    polar::factor_line(s, row_[static_cast<std::size_t>(k)]);
   }
-  polar::kernel().factor_rings(s);
+  polar::factor_rings(s);
 }
 
 void PolarSolver::solve(const ObstructedUnits& obstructed, int target, const PolarSolverOptions& options) {
   prepare(obstructed, target);
   const polar::LineSystem s = system();
-  const polar::Kernel& kernel = polar::kernel();
   const int most = options.exact ? kExactPasses : options.passes;
   for (passes_used_ = 0; passes_used_ < most; ++passes_used_) {
-    kernel.sweep_lines(s);
-    for (int k = 0; k < kRingSolves; ++k) kernel.solve_rings(s);
+    polar::sweep_lines(s);
+    for (int k = 0; k < kRingSolves; ++k) polar::solve_rings(s);
     if (options.exact && residual(obstructed) < kExact) break;
   }
 }

@@ -10,17 +10,17 @@ namespace meander {
 /// no way nearer. Gets out of traps of any size, as far as its odometry is right.
 struct TangentBugOptions {
   int directions = 72;
-  double reach = 2.5;
-  double clearance = 0.08;
-  double jump = 0.3;
-  double constancy = 0.2;
-  double follow_look = 0.7;
-  double leave = 0.15;
+  double reach = 1.9;
+  double clearance = 0.06;
+  double jump = 0.17;
+  double constancy = 0.53;
+  double follow_look = 0.87;
+  double leave = 0.16;
   double loop = 0.5;
   double patience = 15;
   double progress = 0.3;
-  SteeringOptions steering{.caution = 0.15};
-  SonarMemoryOptions memory{.scans = 30, .contradictions = 0};
+  SteeringOptions steering{.turn_gain = 1.1, .margin = 0.09, .headway = 0.42, .caution = 0.08};
+  SonarMemoryOptions memory{.scans = 17, .contradictions = 1};
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, TangentBugOptions>
