@@ -16,6 +16,9 @@ constexpr double kHeight = 50;      // of the field in units of the picture
 constexpr double kLetter = 1.5;     // height of a capital letter
 constexpr std::size_t kMost = 600;  // points of a curve; more are drawn as the range they cover
 
+/// Farther out, the width of a range is not finite.
+bool plottable(double value) { return std::abs(value) <= 1e300; }
+
 struct Range {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
@@ -26,7 +29,7 @@ struct Range {
 Range range_of(std::span<const double> values) {
   Range range;
   for (const double value : values)
-    if (std::isfinite(value)) range.add(value);
+    if (plottable(value)) range.add(value);
   if (range.empty()) fail("a plot needs at least one finite number, got {} that are not", values.size());
   return range;
 }
@@ -94,7 +97,7 @@ std::vector<std::vector<Vec2>> runs_of(std::span<const double> values, const Axe
     const auto part = values.subspan(from, std::min(group, values.size() - from));
     Range range;
     for (const double value : part)
-      if (std::isfinite(value)) range.add(value);
+      if (plottable(value)) range.add(value);
     if (range.empty()) {
       if (!runs.back().empty()) runs.emplace_back();
       continue;
@@ -133,7 +136,7 @@ DrawList draw_histogram(std::span<const double> values, int bins, const PlotWord
   if (bins < 0 || bins > 1000) fail("0 to 1000 bins expected, got {}", bins);
   const Range range = widened(range_of(values));
   std::vector<double> finite;
-  std::copy_if(values.begin(), values.end(), std::back_inserter(finite), [](double v) { return std::isfinite(v); });
+  std::copy_if(values.begin(), values.end(), std::back_inserter(finite), plottable);
   if (bins == 0) bins = std::clamp(static_cast<int>(std::ceil(std::sqrt(finite.size()))), 1, 40);
   std::vector<double> counts(static_cast<std::size_t>(bins));
   const double width = (range.high - range.low) / bins;
@@ -163,16 +166,18 @@ DrawList draw_heat_map(std::span<const float> values, int rows, int columns, con
   Axes field({0.5, columns + 0.5}, {rows + 0.5, 0.5}, width, titled);
   constexpr double kCell = 0.25;
   DrawCells cells{{}, kCell, static_cast<int>(width / kCell), static_cast<int>(kHeight / kCell), {}, {}};
+  const auto place = [](int i, int length, int count) {  // a long matrix times a cell does not fit an int
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(count) / static_cast<std::size_t>(length);
+  };
   for (int y = 0; y < cells.height; ++y)
     for (int x = 0; x < cells.width; ++x) {
-      const int row = rows - 1 - y * rows / cells.height, column = x * columns / cells.width;
-      const double value =
-          values[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
+      const std::size_t row = static_cast<std::size_t>(rows) - 1 - place(y, cells.height, rows);
+      const double value = values[row * static_cast<std::size_t>(columns) + place(x, cells.width, columns)];
       const double share = (value - range.low) / (range.high - range.low);
       const Color dark = mixed(colors.path, colors.wall, 0.7);
-      cells.colors.push_back(!std::isfinite(value) ? Color{0, 0, 0, 0}
-                             : share < 0.5         ? mixed(colors.floor, colors.path, 2 * share)
-                                                   : mixed(colors.path, dark, 2 * share - 1));
+      cells.colors.push_back(!plottable(value) ? Color{0, 0, 0, 0}
+                             : share < 0.5     ? mixed(colors.floor, colors.path, 2 * share)
+                                               : mixed(colors.path, dark, 2 * share - 1));
     }
   field.list.items.emplace_back(std::move(cells));
   return std::move(field.list);

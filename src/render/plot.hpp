@@ -22,6 +22,8 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"y", "", "what the y axis shows, with its unit"}, o.y);
 }
 
+// To all of them a number beyond 1e300 is as one that is not finite.
+
 /// Numbers over their index, 1 first, e.g. a training curve. Numbers that are not finite are gaps. Throws ArgumentError
 /// when no number is finite.
 DrawList draw_curve(std::span<const double> values, const PlotWords& words = {});

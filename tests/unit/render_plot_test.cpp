@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -57,6 +58,24 @@ TEST(Plot, AHistogramCountsEveryFiniteNumberOnce) {
   EXPECT_DOUBLE_EQ(heights[0], heights[1]);
   EXPECT_NE(ascii(list).find("###"), std::string::npos);
   EXPECT_NO_THROW(draw_histogram(std::vector<double>(3, 7.0)));
+}
+
+TEST(Plot, NumbersTooLargeToDrawAreGaps) {
+  EXPECT_NE(ascii(draw_curve(std::vector<double>{-1.5e308, 1, 2, 1.5e308})).find('*'), std::string::npos);
+  EXPECT_NE(ascii(draw_histogram(std::vector<double>{-1.5e308, 1, 2, 1.5e308})).find('#'), std::string::npos);
+  EXPECT_THROW(draw_curve(std::vector<double>{-1.5e308, 1.5e308}), ArgumentError);
+}
+
+TEST(Plot, ALongMatrixIsDrawnToItsEnd) {
+  std::vector<float> values(6'000'000);
+  for (std::size_t i = values.size() / 2; i < values.size(); ++i) values[i] = 1;
+  for (const bool row : {true, false}) {
+    const int length = static_cast<int>(values.size());
+    const DrawList list = draw_heat_map(values, row ? 1 : length, row ? length : 1);
+    const auto& colors = std::get<DrawCells>(list.items.back()).colors;
+    const auto dark = std::count(colors.begin(), colors.end(), row ? colors.back() : colors.front());
+    EXPECT_EQ(dark, std::ssize(colors) / 2);
+  }
 }
 
 TEST(Plot, AHeatMapHasItsFirstRowOnTop) {
