@@ -18,7 +18,8 @@ void confine(const script::SandboxOptions& options, const std::vector<std::strin
 
 /// From here on files are read and written in `folder`, and read where `readable` and the program's own files are.
 bool confine_files(const std::string& folder, const std::vector<std::string>& readable);
-/// From here on no other program is started, no network is used, and no other process is looked into.
+/// From here on no other program is started, no network is used, no other process is looked into, and nothing is typed
+/// into a terminal.
 bool confine_calls();
 
 }  // namespace meander

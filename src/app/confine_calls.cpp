@@ -3,11 +3,14 @@
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
+#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <vector>
 
 #include "app/confine.hpp"
@@ -84,8 +87,21 @@ constexpr long kRefused[] = {
 sock_filter load(std::size_t offset) { return BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<unsigned>(offset)); }
 sock_filter give(unsigned action) { return BPF_STMT(BPF_RET | BPF_K, action); }
 
+constexpr unsigned kNotPermitted = SECCOMP_RET_ERRNO | EPERM;
+
+/// Requests to a terminal that type into it, as if the user did: the shell would run what comes.
+void refuse_typing(std::vector<sock_filter>& steps) {
+  constexpr unsigned kTyping[] = {TIOCSTI, TIOCLINUX};
+  constexpr std::size_t kCount = std::size(kTyping);
+  steps.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned>(SYS_ioctl), 0, 1 + 2 * kCount));
+  steps.push_back(load(offsetof(seccomp_data, args) + sizeof(std::uint64_t)));  // lower half of the second
+  for (const unsigned request : kTyping) {
+    steps.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, request, 0, 1));
+    steps.push_back(give(kNotPermitted));
+  }
+}
+
 std::vector<sock_filter> program() {
-  constexpr unsigned kNotPermitted = SECCOMP_RET_ERRNO | EPERM;
   std::vector<sock_filter> steps = {
       load(offsetof(seccomp_data, arch)),
       BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kArchitecture, 1, 0),
@@ -101,6 +117,7 @@ std::vector<sock_filter> program() {
     steps.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned>(call), 0, 1));
     steps.push_back(give(kNotPermitted));
   }
+  refuse_typing(steps);
   steps.push_back(give(SECCOMP_RET_ALLOW));
   return steps;
 }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #include <lauxlib.h>
 
+#include "base/visible_text.hpp"
 #include "geometry/angle.hpp"
 #include "script/any.hpp"
 #include "script/bind.hpp"
@@ -36,7 +37,7 @@ void help(const std::optional<Any>& what, const Call& call) {
 
 void apropos(const std::string& word, const Call& call) {
   const std::string found = apropos_text(session(call.L).docs, word);
-  call.write(found.empty() ? "nothing is known about '" + word + "'\n" : found);
+  call.write(found.empty() ? "nothing is known about '" + visible_text(word) + "'\n" : found);
 }
 
 }  // namespace

@@ -15,14 +15,6 @@
 namespace meander::script {
 namespace {
 
-/// Calls upvalue 1 with the arguments that are there.
-int call_original(lua_State* L) {
-  lua_pushvalue(L, lua_upvalueindex(1));
-  lua_insert(L, 1);
-  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
-  return lua_gettop(L);
-}
-
 /// load(chunk, name, mode, env): texts only, whatever the mode.
 int safe_load(lua_State* L) {
   if (lua_gettop(L) < 3) lua_settop(L, 3);

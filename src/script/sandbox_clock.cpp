@@ -17,6 +17,7 @@
 #include <cstring>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "script/lua_interrupt.hpp"
@@ -72,6 +73,12 @@ bool waits_too_long(Nanoseconds time) {
   return run_since != 0 && time - run_since >= waiting_limit;
 }
 
+/// A view: the handler may have interrupted malloc, which a copy would need.
+std::string_view farewell() {
+  if (silent) return {};
+  return script_runs() ? last_words_in_call : last_words;
+}
+
 void tick() {
   const Nanoseconds time = now(CLOCK_MONOTONIC);
   const bool computed = computing_time_is_over();
@@ -83,7 +90,7 @@ void tick() {
   verdict = (computed ? computing_text : waiting_text).c_str();
   stop_running();
   if (over_since == 0) over_since = time;
-  if (time - over_since >= kGrace) leave_at_once(silent ? "" : script_runs() ? last_words_in_call : last_words, 1);
+  if (time - over_since >= kGrace) leave_at_once(farewell(), 1);
 }
 
 void on_tick(int signal) {

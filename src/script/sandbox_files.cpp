@@ -41,14 +41,6 @@ int refuse(lua_State* L) {
   return 2;
 }
 
-/// Calls upvalue 1 with the arguments that are there.
-int call_original(lua_State* L) {
-  lua_pushvalue(L, lua_upvalueindex(1));
-  lua_insert(L, 1);
-  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
-  return lua_gettop(L);
-}
-
 int safe_open(lua_State* L) {
   const std::string_view mode = luaL_optstring(L, 2, "r");
   const bool reads = mode == "r" || mode == "rb";
@@ -90,8 +82,10 @@ bool is_terminal(lua_State* L, int index) {
 
 /// file:write(...); and io.write(...), which has standard output as upvalue 2.
 int safe_write(lua_State* L) {
+  constexpr std::size_t kNumber = 24;  // bytes of the longest one
   for (int i = lua_gettop(L); i >= 1; --i)
-    if (lua_type(L, i) == LUA_TSTRING) charge_output(L, lua_rawlen(L, i));
+    if (const int type = lua_type(L, i); type == LUA_TSTRING || type == LUA_TNUMBER)
+      charge_output(L, type == LUA_TSTRING ? lua_rawlen(L, i) : kNumber);
   if (!lua_isnone(L, lua_upvalueindex(2))) {
     lua_pushvalue(L, lua_upvalueindex(2));
     lua_insert(L, 1);

@@ -11,6 +11,9 @@ namespace meander::script {
 /// then adds those that a sandbox has its own of.
 void keep_safe_libraries(lua_State* L);
 
+/// Of a function that stands before another one, which is its upvalue 1: calls that with the arguments that are there.
+int call_original(lua_State* L);
+
 // What a sandbox has its own of.
 
 /// Into the table on top of the stack, which is that of the globals or of `debug`.

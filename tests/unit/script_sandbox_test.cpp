@@ -131,6 +131,14 @@ TEST_F(SandboxTest, ExitEndsTheScriptWithItsCode) {
   EXPECT_TRUE(lua_isnil(lua.state(), -1));
 }
 
+TEST_F(SandboxTest, WordsThatAreShownAgainCommandNoTerminal) {
+  Interpreter lua({.sandbox = SandboxOptions{}});
+  std::string written;
+  lua.session().write = [&](std::string_view text) { written += text; };
+  EXPECT_EQ(run(lua, R"(apropos '\27[2J')"), "");
+  EXPECT_EQ(written, "nothing is known about '\\27[2J'\n");
+}
+
 TEST_F(SandboxTest, AFolderThatIsNoneIsAnError) {
   EXPECT_THROW(Interpreter({.sandbox = SandboxOptions{.folder = "nowhere"}}), Error);
 }
