@@ -6,7 +6,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <string_view>
 
 #include "app/confine.hpp"
 #include "app/output.hpp"
@@ -21,10 +20,9 @@ namespace {
 using script::Interpreter;
 using script::Outcome;
 
-bool plain_terminal() {
-  const char* term = std::getenv("TERM");
+bool colors_refused() {
   const char* no_color = std::getenv("NO_COLOR");
-  return !term || !*term || std::string_view(term) == "dumb" || (no_color && *no_color);
+  return no_color && *no_color;
 }
 
 int exit_code(const Outcome& outcome) {
@@ -58,7 +56,7 @@ int run_script(Interpreter& lua, const std::string& path) {
 }  // namespace
 
 void set_up_terminal(Interpreter& lua) {
-  lua.session().terminal = isatty(STDOUT_FILENO) && !plain_terminal();
+  lua.session().terminal = is_able_terminal(STDOUT_FILENO) && !colors_refused();
   lua.session().progress = progress_line();
 }
 

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 #include "app/command_line.hpp"
 #include "base/visible_text.hpp"
@@ -52,6 +53,11 @@ void guard_output() {
 void complain(const std::string& text) {
   std::fflush(stdout);
   fmt::print(stderr, "meander: {}\n", visible_text(text));
+}
+
+bool is_able_terminal(int descriptor) {
+  const char* term = std::getenv("TERM");
+  return isatty(descriptor) && term && *term && std::string_view(term) != "dumb";
 }
 
 }  // namespace meander

@@ -13,4 +13,7 @@ void guard_output();
 /// "meander: text" on stderr, behind everything written to stdout before.
 void complain(const std::string& text);
 
+/// The descriptor is a terminal that can take back what it shows: TERM is set and not "dumb".
+bool is_able_terminal(int descriptor);
+
 }  // namespace meander

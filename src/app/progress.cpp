@@ -9,9 +9,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <string>
+
+#include "app/output.hpp"
 
 namespace meander {
 namespace {
@@ -80,8 +81,7 @@ class ProgressLine {
 }  // namespace
 
 std::function<void(double, std::string_view)> progress_line() {
-  const char* term = std::getenv("TERM");
-  if (!isatty(STDERR_FILENO) || !term || std::string_view(term) == "dumb") return {};
+  if (!is_able_terminal(STDERR_FILENO)) return {};
   // Copies of the function are about the same line.
   return
       [line = std::make_shared<ProgressLine>()](double fraction, std::string_view label) { (*line)(fraction, label); };

@@ -54,14 +54,13 @@ int list_names(const std::vector<PlannedTest>& plan) {
 struct Results {
   TestCount count;
   std::vector<TestRecord> records;
-  bool complete = false;
 };
 
 Results run(const TestOptions& options, const std::vector<PlannedTest>& plan) {
   const TestReport report = options.tap ? tap_report() : human_report(options.verbose);
   Results results;
   if (report.begin) report.begin(plan.size());
-  results.complete = run_tests(options, plan, interrupted, [&](const TestRecord& record) {
+  run_tests(options, plan, interrupted, [&](const TestRecord& record) {
     results.count.add(record);
     report.add(record);
     if (!options.junit.empty()) results.records.push_back(record);

@@ -6,21 +6,16 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <string_view>
 
+#include "app/output.hpp"
 #include "app/test_text.hpp"
 
 namespace meander {
 namespace {
 
 using Kind = script::TestOutcome::Kind;
-
-bool terminal_behind_stderr() {
-  const char* term = std::getenv("TERM");
-  return isatty(STDERR_FILENO) && term && std::string_view(term) != "dumb";
-}
 
 std::string points_text(const PlannedTest& planned) {
   const double points = planned.test.points;
@@ -45,7 +40,7 @@ void print_failure(const TestRecord& record) {
 
 class HumanReport {
  public:
-  explicit HumanReport(bool verbose) : verbose_(verbose), dots_(!verbose && terminal_behind_stderr()) {}
+  explicit HumanReport(bool verbose) : verbose_(verbose), dots_(!verbose && is_able_terminal(STDERR_FILENO)) {}
 
   void add(const TestRecord& record) {
     const Kind kind = record.outcome.kind;
