@@ -42,8 +42,8 @@ local spaces = {
     { "margin", 0.07, 0.01, 0.2 }, { "reach", 3.4, 0.5, 4 }, memory(12, 2),
   },
   tangent_bug = {
-    { "reach", 2, 0.8, 4 }, { "clearance", 0.08, 0.01, 0.25 }, { "jump", 0.19, 0.05, 1 }, { "constancy", 0.4, 0.01, 1 },
-    { "follow_look", 0.55, 0.2, 1.5 }, { "leave", 0.11, 0.02, 0.6 }, steering(1.5, 0.085, 0.2, 0.12), memory(26, 1),
+    { "reach", 1.9, 0.8, 4 }, { "clearance", 0.06, 0.01, 0.25 }, { "jump", 0.17, 0.05, 1 }, { "constancy", 0.53, 0.01, 1 },
+    { "follow_look", 0.87, 0.2, 1.5 }, { "leave", 0.16, 0.02, 0.6 }, steering(1.1, 0.09, 0.42, 0.08), memory(17, 1),
   },
   potential_field = {
     { "influence", 0.43, 0.1, 1.5 }, { "repulsion", 0.0025, 0.0002, 0.1 }, { "turn_gain", 0.63, 0.2, 3 },

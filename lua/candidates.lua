@@ -29,7 +29,7 @@ function candidates.maker(text)
     if text == "" then return name end
     local table = options()
     table.robot = robot
-    return meander.polar[name](table)
+    return meander.polar[name == "polar" and "navigator" or name](table)
   end
 end
 
