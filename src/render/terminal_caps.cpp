@@ -56,7 +56,8 @@ GraphicsAnswer read_graphics_answer(std::string_view input) {
       answer.keys += input.front();
       input.remove_prefix(1);
     } else if (end == std::string_view::npos) {
-      break;  // the rest has not come
+      answer.rest = input;
+      break;
     } else if (graphics) {
       answer.kitty = input.substr(0, end).find(";OK") != std::string_view::npos;
       input.remove_prefix(end + 2);

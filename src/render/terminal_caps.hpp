@@ -53,6 +53,7 @@ struct GraphicsAnswer {
   bool kitty = false;
   bool sixel = false;
   std::string keys;
+  std::string rest;  ///< the beginning of an answer whose end has not come
   StillMode still() const { return kitty ? StillMode::kitty : sixel ? StillMode::sixel : StillMode::characters; }
 };
 GraphicsAnswer read_graphics_answer(std::string_view input);

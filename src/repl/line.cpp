@@ -225,6 +225,23 @@ void set_up_readline() {
   if (!marks_pastes()) rl_redisplay_function = redisplay;  // readline marks none for those who draw themselves
 }
 
+/// Types the keys that somebody else has read for the prompt.
+void type_ahead() {
+  typed_ahead += script::take_typed_ahead();
+  while (!finished && !typed_ahead.empty()) {
+    rl_stuff_char(static_cast<unsigned char>(typed_ahead.front()));
+    typed_ahead.erase(0, 1);
+    rl_callback_read_char();
+  }
+}
+
+void take_key() {
+  if (script::read_late_answer())
+    type_ahead();
+  else
+    rl_callback_read_char();
+}
+
 }  // namespace
 
 LineEditor::LineEditor(Completer complete, const std::vector<std::string>& history)
@@ -254,14 +271,9 @@ LineEnd LineEditor::read_terminal(const std::string& prompt, std::string& line) 
   entered.reset();
   rl_eof_found = 0;  // readline's callbacks never take back an earlier Ctrl-D, and write an empty line for it
   rl_callback_handler_install(prompt.c_str(), on_line);
-  typed_ahead += script::take_typed_ahead();
-  while (!finished && !typed_ahead.empty()) {
-    rl_stuff_char(static_cast<unsigned char>(typed_ahead.front()));
-    typed_ahead.erase(0, 1);
-    rl_callback_read_char();
-  }
+  type_ahead();
   while (!finished) {
-    if (signals.wait_for_key()) rl_callback_read_char();
+    if (signals.wait_for_key()) take_key();
     if (!finished && act_on_signals()) return LineEnd::interrupted;
   }
   if (!entered) {

@@ -16,7 +16,15 @@
 namespace meander::script {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+/// A terminal far away answers within this time, or never.
+constexpr std::chrono::seconds kLongestWay{10};
+
 std::string typed_ahead;
+std::optional<StillMode> known;
+std::optional<Clock::time_point> owed_until;  ///< the answer that has not come in time
+std::string late;                             ///< its beginning
 
 /// Standard input without echo and without waiting for whole lines, while it lives.
 class RawInput {
@@ -44,7 +52,6 @@ class RawInput {
 
 /// Everything that comes until the answer is complete or the time is over.
 std::string answer_of_terminal() {
-  using Clock = std::chrono::steady_clock;
   const auto deadline = Clock::now() + std::chrono::milliseconds(150);
   std::string input;
   while (!read_graphics_answer(input).complete) {
@@ -69,7 +76,6 @@ void give_back(const std::string& keys, bool at_prompt) {
 }  // namespace
 
 StillMode asked_still_mode(bool at_prompt) {
-  static std::optional<StillMode> known;
   if (known) return *known;
   if (!isatty(STDIN_FILENO) || !holds_terminal()) return StillMode::characters;
   const RawInput raw;
@@ -78,7 +84,23 @@ StillMode asked_still_mode(bool at_prompt) {
   const GraphicsAnswer answer = read_graphics_answer(answer_of_terminal());
   give_back(answer.keys, at_prompt);
   known = answer.still();
+  if (!answer.complete) owed_until = Clock::now() + kLongestWay;
+  late = answer.rest;
   return *known;
+}
+
+bool read_late_answer() {
+  if (!owed_until || Clock::now() > *owed_until) return false;
+  char bytes[256];
+  const ssize_t count = read(STDIN_FILENO, bytes, sizeof bytes);
+  if (count <= 0) return false;
+  const GraphicsAnswer answer = read_graphics_answer(late.append(bytes, static_cast<std::size_t>(count)));
+  typed_ahead += answer.keys;
+  late = answer.rest;
+  if (!answer.complete) return true;
+  known = answer.still();
+  owed_until.reset();
+  return true;
 }
 
 std::string take_typed_ahead() { return std::exchange(typed_ahead, {}); }

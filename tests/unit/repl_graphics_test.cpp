@@ -61,6 +61,21 @@ TEST(Graphics, NoAnswerIsWaitedForShortlyAndKeysAreKept) {
   t.wait_for_raw("42\r\n");
 }
 
+TEST(Graphics, AnAnswerThatComesLateIsNotTyped) {
+  TemporaryFolder home;
+  Terminal t(home.path(), program({"--no-rc"}), kXterm);
+  EXPECT_NE(shown_after(t, "").find("\xe2\x96\x80"), std::string::npos);
+  t.wait_for_raw("> ");
+  t.send("6 *\x1b_Gi=31;ENO");
+  t.wait_for_raw("6 *");
+  t.send("TSUP\x1b\\\x1b[?62;4c 7\r");
+  const std::string after = t.wait_for_raw("42\r\n");
+  EXPECT_EQ(after.find("62;4"), std::string::npos) << after;
+  EXPECT_EQ(after.find("TSUP"), std::string::npos) << after;
+  t.send(std::string(kShow) + "\r");
+  EXPECT_NE(t.wait_for_raw("shown\r\n").find("\x1bP0;1;0q"), std::string::npos) << "it counts from then on";
+}
+
 TEST(Graphics, KeysAmongTheAnswersAreKept) {
   TemporaryFolder home;
   Terminal t(home.path(), program({"--no-rc"}), kXterm);
