@@ -255,7 +255,7 @@ void Prompt::save(const std::string& name) {
   if (path != saved_path_ && std::filesystem::exists(path, error))
     return say("'" + path + "' exists already; choose another name");
   try {
-    write_file_atomically(path, log_.script(lua_.plain_modules()));
+    write_file_atomically(path, log_.script(lua_.declarations()));
     saved_path_ = path;
     say("saved as '" + path + "'");
   } catch (const FileError& failure) {

@@ -57,9 +57,9 @@ bool SessionLog::last_value_used_after(std::size_t entry) const {
   return false;
 }
 
-std::string SessionLog::script(const std::vector<std::string>& modules) const {
+std::string SessionLog::script(const std::vector<std::string>& declarations) const {
   std::string text;
-  for (const std::string& module : modules) text += module + " = meander." + module + "\n";
+  for (const std::string& line : declarations) text += line + "\n";
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const Entry& entry = entries_[i];
     const bool value_used = entry.value && last_value_used_after(i);

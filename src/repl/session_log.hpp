@@ -19,8 +19,8 @@ class SessionLog {
 
   void add(Entry entry);
   bool empty() const { return entries_.empty(); }
-  /// `modules` were used as plain names, which only the prompt knows: the script declares them first.
-  std::string script(const std::vector<std::string>& modules) const;
+  /// The script begins with the lines of `declarations`: what only the prompt takes undeclared.
+  std::string script(const std::vector<std::string>& declarations) const;
 
  private:
   bool last_value_used_after(std::size_t entry) const;

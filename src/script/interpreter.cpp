@@ -248,7 +248,7 @@ Outcome Interpreter::evaluate(const std::string& text) {
   return outcome;
 }
 
-std::vector<std::string> Interpreter::plain_modules() const { return script::plain_modules(L_); }
+std::vector<std::string> Interpreter::declarations() const { return script::declarations(L_); }
 
 Completion Interpreter::complete(std::string_view text) const { return script::complete(L_, text); }
 

@@ -73,8 +73,8 @@ class Interpreter {
   Outcome evaluate(const std::string& text);
   /// What may stand at the end of `text`. Runs no code of the user.
   Completion complete(std::string_view text) const;
-  /// Modules that were used by their plain names at the prompt.
-  std::vector<std::string> plain_modules() const;
+  /// The lines that a script must begin with to do what was typed at the prompt: "world = meander.world".
+  std::vector<std::string> declarations() const;
 
  private:
   bool load(const std::string& code, const char* chunk);

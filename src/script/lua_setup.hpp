@@ -15,8 +15,9 @@ inline constexpr const char* kPromptChunk = "=prompt";
 /// at the top level of a script and anywhere at the prompt; elsewhere an error.
 void open_strict(lua_State* L);
 
-/// The modules that were read by their plain names at the prompt, sorted.
-std::vector<std::string> plain_modules(lua_State* L);
+/// What a script must begin with to do what was typed at the prompt: the modules that were read by their plain names,
+/// the globals that functions were the first to assign. Lines of Lua, sorted: "count = nil", "world = meander.world".
+std::vector<std::string> declarations(lua_State* L);
 
 /// `require`: the modules packed into the program (from `lua_dir` instead where given), then Lua files on package.path.
 /// Binary modules cannot be loaded: they would need the C build of Lua.

@@ -4,6 +4,7 @@
 #include <lua.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -15,7 +16,8 @@ namespace meander::script {
 namespace {
 
 constexpr int kDeclared = lua_upvalueindex(1);
-constexpr const char* kUsedModules = "meander.plain_modules";
+/// Of a table in the registry: names that only the prompt takes as they were typed, and the line that declares each.
+constexpr const char* kDeclarations = "meander.declarations";
 
 enum class Place { host, top_level, inside_function, prompt };
 
@@ -63,17 +65,26 @@ std::string advice(lua_State* L, const std::string& name, Place place) {
   return did_you_mean(name, names);
 }
 
+/// Keeps "<name> = <value>" unless there is a line for this name.
+void remember_declaration(lua_State* L, int name, const std::string& value) {
+  name = lua_absindex(L, name);
+  lua_getfield(L, LUA_REGISTRYINDEX, kDeclarations);
+  lua_pushvalue(L, name);
+  if (lua_rawget(L, -2) == LUA_TNIL) {
+    lua_pushvalue(L, name);
+    lua_pushfstring(L, "%s = %s", lua_tostring(L, name), value.c_str());
+    lua_rawset(L, -4);
+  }
+  lua_pop(L, 2);
+}
+
 /// Pushes the module `meander.<name>`, which is a plain name at the prompt.
 bool push_module(lua_State* L, int name) {
   lua_getglobal(L, "meander");
   if (!lua_istable(L, -1)) return false;
   lua_pushvalue(L, name);
   if (lua_rawget(L, -2) == LUA_TNIL) return false;
-  lua_getfield(L, LUA_REGISTRYINDEX, kUsedModules);
-  lua_pushvalue(L, name);
-  lua_pushboolean(L, true);
-  lua_rawset(L, -3);
-  lua_pop(L, 1);
+  remember_declaration(L, name, std::string("meander.") + lua_tostring(L, name));
   return true;
 }
 
@@ -87,10 +98,29 @@ int read_undeclared(lua_State* L) {
   return luaL_error(L, "undeclared variable '%s'%s", name.c_str(), advice(L, name, place).c_str());
 }
 
+/// A name as in `name = 1`, and not only a key as in `_G["a b"] = 1`.
+bool is_name(lua_State* L, int index) {
+  if (lua_type(L, index) != LUA_TSTRING) return false;
+  const std::string text = lua_tostring(L, index);
+  const bool plain = std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  if (!plain) return false;
+  const bool name = luaL_loadstring(L, ("local " + text).c_str()) == LUA_OK;  // no number and no keyword
+  lua_pop(L, 1);
+  return name;
+}
+
+bool in_main_chunk(lua_State* L) {
+  lua_Debug activation;
+  return lua_getstack(L, 1, &activation) && lua_getinfo(L, "S", &activation) &&
+         std::strcmp(activation.what, "main") == 0;
+}
+
 int assign_undeclared(lua_State* L) {
   lua_pushvalue(L, 2);
   const bool declared = lua_rawget(L, kDeclared) != LUA_TNIL;
-  if (!declared && place_of_access(L) == Place::inside_function && lua_type(L, 2) == LUA_TSTRING)
+  const Place place = declared ? Place::host : place_of_access(L);
+  if (place == Place::prompt && !in_main_chunk(L) && is_name(L, 2)) remember_declaration(L, 2, "nil");
+  if (place == Place::inside_function && lua_type(L, 2) == LUA_TSTRING)
     return luaL_error(
         L,
         "assignment to undeclared variable '%s' inside a function; write 'local %s', or assign it first at "
@@ -108,7 +138,7 @@ int assign_undeclared(lua_State* L) {
 
 void open_strict(lua_State* L) {
   lua_newtable(L);
-  lua_setfield(L, LUA_REGISTRYINDEX, kUsedModules);
+  lua_setfield(L, LUA_REGISTRYINDEX, kDeclarations);
   lua_pushglobaltable(L);
   lua_createtable(L, 0, 3);
   lua_newtable(L);
@@ -120,13 +150,13 @@ void open_strict(lua_State* L) {
   lua_pop(L, 1);
 }
 
-std::vector<std::string> plain_modules(lua_State* L) {
-  std::vector<std::string> names;
-  lua_getfield(L, LUA_REGISTRYINDEX, kUsedModules);
-  add_string_keys(L, -1, names);
+std::vector<std::string> declarations(lua_State* L) {
+  std::vector<std::string> lines;
+  lua_getfield(L, LUA_REGISTRYINDEX, kDeclarations);
+  for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1)) lines.emplace_back(lua_tostring(L, -1));
   lua_pop(L, 1);
-  std::sort(names.begin(), names.end());
-  return names;
+  std::sort(lines.begin(), lines.end());
+  return lines;
 }
 
 }  // namespace meander::script

@@ -9,6 +9,16 @@ namespace meander::test {
 namespace {
 
 using SessionFiles = AtPrompt;
+TEST_P(SessionFiles, ASavedSessionDeclaresWhatOnlyThePromptTakes) {
+  t.enter("function count() counted = (rawget(_G, 'counted') or 0) + 1 return counted end");
+  t.enter("count()");
+  t.enter("w = world.new {}");
+  t.enter(".save all.lua");
+  EXPECT_TRUE(file_text("all.lua").starts_with("counted = nil\nworld = meander.world\n")) << file_text("all.lua");
+  EXPECT_EQ(t.enter(".load all.lua"), "");
+  EXPECT_EQ(t.enter("counted"), "1\r\n");
+}
+
 INSTANTIATE_TEST_SUITE_P(, SessionFiles, testing::ValuesIn(kTerminals), terminal_name);
 
 constexpr const char* kHistory = ".local/state/meander/history";
