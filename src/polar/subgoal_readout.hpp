@@ -10,7 +10,7 @@ namespace meander {
 
 struct SubgoalReadoutOptions {
   double read_radius = 0.2;
-  double hysteresis = 0.10;
+  double hysteresis = 0.5;
   int hysteresis_sectors = 4;
 };
 template <class Options, class Visitor>

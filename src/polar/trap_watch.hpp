@@ -12,7 +12,7 @@ struct TrapOptions {
   bool watch = true;
   double patience = 15;
   double progress = 0.10;
-  int escapes = 6;
+  int escapes = 3;
   double escape_time = 8;
 };
 template <class Options, class Visitor>
