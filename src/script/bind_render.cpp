@@ -93,17 +93,14 @@ std::shared_ptr<const DrawList> next_picture(const Function& frame, int number) 
 
 void animate(const Function& frame, const AnimateTable& options, const Call& call) {
   std::shared_ptr<const DrawList> shown;
-  {
-    LiveView view(call, 0, options.rate);
-    for (int number = 1;; ++number) {
-      call.work().poll();
-      const auto picture = next_picture(frame, number);
-      if (!picture) break;
-      shown = picture;
-      view.next(*shown, "Ctrl-C ends");
-    }
+  LiveView view(call, 0, options.rate, [&] { return shown ? std::optional(*shown) : std::nullopt; });
+  for (int number = 1;; ++number) {
+    call.work().poll();
+    const auto picture = next_picture(frame, number);
+    if (!picture) break;
+    shown = picture;
+    view.next(*shown, "Ctrl-C ends");
   }
-  if (shown) call.write(terminal_picture(*shown, call));
 }
 
 DrawList itself(const DrawList& picture) { return picture; }

@@ -9,10 +9,19 @@
 namespace meander::script {
 namespace {
 
+std::shared_ptr<DriveRuns> drive(const std::shared_ptr<Sim>& sim, const WatchTable& options, const Call& call) {
+  try {
+    return watch_drive(sim, options, call);
+  } catch (const Cancelled&) {
+    if (session(call.L).at_prompt) call.write("(sim:last_run() has the run so far)\n");
+    throw;
+  }
+}
+
 Pushed watch(const Any& what, const WatchTable& options, const Call& call) {
   if (test_box(call.L, what.index, tag_of<Sim>)) {
     const Path path{.kind = Path::Kind::value, .name = "sim"};
-    push_runs(call.L, *watch_drive(read_object<Sim>(call.L, what.index, path), options, call));
+    push_runs(call.L, *drive(read_object<Sim>(call.L, what.index, path), options, call));
   } else if (test_box(call.L, what.index, tag_of<RunRecord>)) {
     const Path path{.kind = Path::Kind::value, .name = "run"};
     watch_run(*read_object<RunRecord>(call.L, what.index, path), options, call);

@@ -6,8 +6,11 @@
 
 namespace meander::script {
 
-LiveView::LiveView(const Call& call, double speed, double rate)
-    : mode_(terminal_mode(terminal_environment(call))), pace_(speed, rate, call.work()) {
+LiveView::LiveView(const Call& call, double speed, double rate, std::function<std::optional<DrawList>()> last)
+    : call_(call),
+      last_(std::move(last)),
+      mode_(terminal_mode(terminal_environment(call))),
+      pace_(speed, rate, call.work()) {
   const Session& session = script::session(call.L);
   if (!session.terminal || still_mode(terminal_environment(call)) == StillMode::none) return;
   hide_progress(call.L);
@@ -16,6 +19,16 @@ LiveView::LiveView(const Call& call, double speed, double rate)
   } else if (holds_terminal()) {
     terminal_.emplace();
     screen_.emplace(write_at_once);
+  }
+}
+
+LiveView::~LiveView() {
+  screen_.reset();
+  terminal_.reset();
+  try {
+    if (const auto picture = last_()) call_.write(terminal_picture(*picture, call_));
+  } catch (const std::exception&) {
+    // what it ended by matters more than its last picture
   }
 }
 

@@ -14,10 +14,14 @@
 namespace meander::script {
 
 /// A moving picture on the session's terminal, at the pace of the wall clock. Where there is no terminal, or one that
-/// cannot move its cursor, it shows nothing and waits for nothing.
+/// cannot move its cursor, it shows nothing and waits for nothing. However it ends, by an interrupt or an error too,
+/// the picture that `last` gives stays in the ordinary screen.
 class LiveView {
  public:
-  LiveView(const Call& call, double speed, double rate);
+  LiveView(const Call& call, double speed, double rate, std::function<std::optional<DrawList>()> last);
+  ~LiveView();
+  LiveView(const LiveView&) = delete;
+  LiveView& operator=(const LiveView&) = delete;
 
   bool live() const { return screen_.has_value(); }
   /// Leads from one moment to the next, with as many pictures in between as are due; `line` stands below them.
@@ -30,6 +34,8 @@ class LiveView {
   double speed() const { return pace_.measured(); }
 
  private:
+  Call call_;
+  std::function<std::optional<DrawList>()> last_;
   TerminalMode mode_;
   Pace pace_;
   std::optional<LiveTerminal> terminal_;

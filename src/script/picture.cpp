@@ -100,9 +100,8 @@ std::string terminal_picture(const DrawList& list, const Call& call) {
   const TerminalEnvironment environment = terminal_environment(call);
   const Session& session = script::session(call.L);
   const auto decided = still_mode(environment);
-  const StillMode still = decided         ? *decided
-                          : session.write ? StillMode::characters
-                                          : asked_still_mode(session.at_prompt);
+  const bool may_ask = !session.write && !session.stop.requested();  // a terminal may take its time to answer
+  const StillMode still = decided ? *decided : may_ask ? asked_still_mode(session.at_prompt) : StillMode::characters;
   return still_picture(list, still_room(), still, terminal_mode(environment));
 }
 

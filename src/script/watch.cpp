@@ -19,8 +19,9 @@ std::string state_text(double v, double clearance, bool touching) {
   return fmt::format("{:.2f} m/s  {}", v, touching ? "contact" : fmt::format("clearance {:.2f} m", clearance));
 }
 
+/// A narrow window cuts the end: how to get out comes first.
 std::string line_text(double time, double speed, const std::string& subgoals, const std::string& state) {
-  return fmt::format("{:.1f} s  {:.3g}x  {}  {}  Ctrl-C ends", time, speed, subgoals, state);
+  return fmt::format("Ctrl-C ends  {:.1f} s  {:.3g}x  {}  {}", time, speed, subgoals, state);
 }
 
 std::vector<RobotLook> looks_of(const Sim& sim) {
@@ -126,11 +127,6 @@ class WatchedRun {
   int reached_ = 0;
 };
 
-/// The picture that stays, once the terminal is as it was.
-void leave_picture(LivePicture& picture, const Moment& moment, const Call& call) {
-  call.write(terminal_picture(picture.at(moment), call));
-}
-
 void reject_drive_options(const WatchTable& table) {
   const char* given = table.navigator           ? "navigator"
                       : table.guide             ? "guide"
@@ -155,7 +151,7 @@ std::shared_ptr<DriveRuns> watch_drive(const std::shared_ptr<Sim>& sim, const Wa
   Moment moment = watched.moment(driving.state());
   watched.pass();
   {
-    LiveView view(call, speed_of(table), table.rate);
+    LiveView view(call, speed_of(table), table.rate, [&] { return watched.picture().at(moment); });
     while (driving.step()) {
       const Moment before = std::exchange(moment, watched.moment(driving.state()));
       view.pass(watched.picture(), before, moment, [&] { return watched.line(driving.state(), view.speed()); });
@@ -163,7 +159,6 @@ std::shared_ptr<DriveRuns> watch_drive(const std::shared_ptr<Sim>& sim, const Wa
       if (!view.live()) driving.report();
     }
   }
-  leave_picture(watched.picture(), moment, call);
   return driving.finish();
 }
 
@@ -174,14 +169,13 @@ void watch_run(const RunRecord& record, const WatchTable& table, const Call& cal
   WatchedRun watched(record);
   Moment moment = watched.moment(steps.front());
   {
-    LiveView view(call, speed_of(table), table.rate);
+    LiveView view(call, speed_of(table), table.rate, [&] { return watched.picture().at(moment); });
     for (const RunStep& step : steps) {
       const Moment before = std::exchange(moment, watched.moment(step));
       view.pass(watched.picture(), before, moment, [&] { return watched.line(step, view.speed()); });
       watched.pass(step);
     }
   }
-  leave_picture(watched.picture(), moment, call);
 }
 
 }  // namespace meander::script

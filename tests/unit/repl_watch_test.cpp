@@ -41,10 +41,13 @@ TEST_F(Watch, EndsWithinATenthOfASecondWithEverythingKept) {
   const auto pressed = std::chrono::steady_clock::now();
   t_.send("\x03");
   t_.wait_for_raw(kLeave);
-  t_.wait_for("interrupted\r\n");
+  const std::string left = t_.wait_for_raw("interrupted\r\n");
   const std::chrono::duration<double, std::milli> waited = std::chrono::steady_clock::now() - pressed;
   RecordProperty("milliseconds", std::to_string(waited.count()));
   EXPECT_LT(waited.count(), 100);
+  const std::size_t hint = left.find("(sim:last_run() has the run so far)\r\n");
+  EXPECT_LT(left.find("\xe2\x96\x80"), hint) << "the last picture stays: " << left;
+  EXPECT_NE(hint, std::string::npos);
   after("print(s:last_run().reason, s.time > 0)", "interrupted\ttrue\r\n");
   after("print((s:drive(o).reason))", "all subgoals reached\r\n");
 }
@@ -57,6 +60,20 @@ TEST_F(Watch, ShowsOnTheAlternateScreenAndLeavesThePicture) {
   EXPECT_LT(enter, leave);
   EXPECT_NE(shown.find("\xe2\x96\x80", leave), std::string::npos) << "the last picture stays";
   t_.wait_for("> ");
+}
+
+TEST_F(Watch, AnInterruptedAnimationLeavesItsPictureToo) {
+  after("meander.render.animate(function() return s end)", "Ctrl-C ends");
+  t_.send("\x03");
+  t_.wait_for_raw(kLeave);
+  EXPECT_NE(t_.wait_for_raw("interrupted\r\n").find("\xe2\x96\x80"), std::string::npos);
+}
+
+TEST_F(Watch, TellsHowToEndItInASmallWindowToo) {
+  t_.resize(8, 20);
+  after("watch(s, o)", "Ctrl-C ends  ");
+  t_.send("\x03");
+  t_.wait_for("interrupted");
 }
 
 TEST_F(Watch, AnErrorInTheScriptLeavesTheScreenToo) {

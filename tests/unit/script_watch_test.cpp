@@ -80,9 +80,10 @@ TEST_F(WatchScript, TheLastRunIsKeptHoweverADriveEnds) {
   EXPECT_EQ(run("t = sim() return t:drive(with { time_limit = r.time }).hash == r.hash"), "true")
       << "the same states as a drive of that length";
   session_.stop.request();
-  EXPECT_EQ(run("s:drive(with())"), "error: interrupted");
+  EXPECT_EQ(run("watch(s, with())"), "error: interrupted");
   session_.stop.clear();
   EXPECT_EQ(run("return s:last_run().reason, s:last_run() == s:last_run()"), "interrupted true");
+  EXPECT_NE(written_.find("@ robot\n"), std::string::npos) << "the last picture";
   EXPECT_EQ(run("return s:drive(with { time_limit = 3 }) == s:last_run()"), "true");
 }
 
