@@ -37,7 +37,6 @@ function report.run(example, run, options, more)
   if not options.json then
     show(run)
     print(run)
-    if run.reached < run.subgoals then print("ended because: " .. run.reason) end
     print("picture: " .. stem .. ".svg .png, table: " .. stem .. ".csv, record: " .. stem .. ".jsonl")
     return
   end

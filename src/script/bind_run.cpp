@@ -44,8 +44,9 @@ std::string text(const RunRecord& record) {
   const std::string subgoals =
       run.subgoals > 0 ? fmt::format("{}/{}", run.reached, run.subgoals) : fmt::format("{}", run.reached);
   return fmt::format(
-      "run: {} subgoals, {:.1f} m in {:.1f} s, {} contact{}, clearance min {:.2f} m, seed {}, hash {:016x}", subgoals,
-      run.length, run.time, run.contacts, run.contacts == 1 ? "" : "s", run.clearance_min, run.seed, run.hash);
+      "run: {} subgoals, {:.1f} m in {:.1f} s, {} contact{}, clearance min {:.2f} m, seed {}, hash {:016x}{}", subgoals,
+      run.length, run.time, run.contacts, run.contacts == 1 ? "" : "s", run.clearance_min, run.seed, run.hash,
+      run.reached < run.subgoals ? "; ended: " + run.reason : "");
 }
 
 void bind_outcome(Type<RunRecord>& type) {

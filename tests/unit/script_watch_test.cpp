@@ -85,6 +85,9 @@ TEST_F(WatchScript, TheLastRunIsKeptHoweverADriveEnds) {
   EXPECT_EQ(run("return s:last_run().reason, s:last_run() == s:last_run()"), "interrupted true");
   EXPECT_NE(written_.find("@ robot\n"), std::string::npos) << "the last picture";
   EXPECT_EQ(run("return s:drive(with { time_limit = 3 }) == s:last_run()"), "true");
+  EXPECT_EQ(run("return (tostring(s:last_run()):gsub('.*; ', ''))"), "ended: time limit of 3 s");
+  EXPECT_EQ(run("return tostring(r):match('ended:.*')"), "ended: stopped by an error");
+  EXPECT_EQ(run("return tostring(sim():drive(with())):match('ended:.*')"), "nil");
 }
 
 TEST_F(WatchScript, LastRunsDoNotKeepSimulationsAlive) {
