@@ -29,6 +29,12 @@ namespace {
 
 using script::Outcome;
 
+/// What a saved script lacks.
+std::string left_out(std::size_t interrupted) {
+  if (interrupted == 0) return {};
+  return fmt::format(" ({} interrupted input{} left out; results may differ)", interrupted, interrupted > 1 ? "s" : "");
+}
+
 class Prompt {
  public:
   Prompt(script::Interpreter& lua, bool history)
@@ -257,7 +263,7 @@ void Prompt::save(const std::string& name) {
   try {
     write_file_atomically(path, log_.script(lua_.declarations()));
     saved_path_ = path;
-    say("saved as '" + path + "'");
+    say("saved as '" + path + "'" + left_out(log_.interrupted()));
   } catch (const FileError& failure) {
     say(failure.what());
   }

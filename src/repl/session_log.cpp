@@ -36,7 +36,7 @@ bool is_question(const SessionLog::Entry& entry) {
 }
 
 std::string as_comment(const std::string& text) {
-  std::string comment = "-- interrupted: ";
+  std::string comment = "-- interrupted, left out; results may differ: ";
   for (const char c : text) comment += c == '\n' ? std::string("\n--   ") : std::string(1, c);
   return comment + "\n";
 }
@@ -45,6 +45,11 @@ std::string as_comment(const std::string& text) {
 
 void SessionLog::add(Entry entry) {
   if (!is_question(entry)) entries_.push_back(std::move(entry));
+}
+
+std::size_t SessionLog::interrupted() const {
+  return static_cast<std::size_t>(
+      std::count_if(entries_.begin(), entries_.end(), [](const Entry& e) { return e.interrupted; }));
 }
 
 /// Is `_` read before the next value takes its place?
@@ -65,7 +70,7 @@ std::string SessionLog::script(const std::vector<std::string>& declarations) con
     const bool value_used = entry.value && last_value_used_after(i);
     if (entry.interrupted)
       text += as_comment(entry.text);
-    else if (value_used)
+    else if (value_used && entry.text != "_")
       text += "_ = " + entry.text + "\n" + (entry.statement ? "" : "print(_)\n");
     else if (entry.value && !entry.statement)
       text += "print(" + entry.text + ")\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ class SessionLog {
 
   void add(Entry entry);
   bool empty() const { return entries_.empty(); }
+  std::size_t interrupted() const;
   /// The script begins with the lines of `declarations`: what only the prompt takes undeclared.
   std::string script(const std::vector<std::string>& declarations) const;
 
