@@ -53,10 +53,16 @@ void bind_help(lua_State* L) {
       .function<&rad>(Doc{
           .name = "rad",
           .text =
-              "An angle given in radians, in degrees: the reverse of deg, for printing; math.rad goes the other way.",
-          .args = {{"angle", "in radians", "rad"}},
-          .returns = "the angle in degrees",
-          .example = "print(rad(math.pi))"})
+              "Radians from degrees: heading = deg(30). Angles are in radians everywhere; Lua's math.rad is the same.",
+          .args = {{"angle", "in degrees"}},
+          .returns = "the angle in radians",
+          .example = "print(deg(180))"})
+      .function<&rad>(
+          Doc{.name = "rad",
+              .text = "Degrees from radians: rad(math.pi) is 180. For printing angles; Lua's math.deg is the same.",
+              .args = {{"angle", "in radians", "rad"}},
+              .returns = "the angle in degrees",
+              .example = "print(rad(math.pi))"})
       .function<&show>(
           Doc{.name = "show",
               .text = "Draws in the terminal: a world, a sim, a run, a sonar reading, a picture; numbers as a curve, a "

@@ -76,7 +76,7 @@ TEST_P(Prompt, HintsAtWordsOfOtherPrograms) {
 }
 
 TEST_P(Prompt, TellsWhatALoneFunctionOrModuleIs) {
-  EXPECT_TRUE(t.enter("deg").starts_with("deg(angle)  An angle given in degrees"));
+  EXPECT_TRUE(t.enter("deg").starts_with("deg(angle)  Radians from degrees"));
   EXPECT_TRUE(t.enter("sim").starts_with("meander.sim  Simulation"));
   EXPECT_EQ(t.enter("print"), "function\r\n");
 }
