@@ -17,6 +17,8 @@
 #include "script/interpreter.hpp"
 #include "script/luals_stubs.hpp"
 #include "script/reference_text.hpp"
+#include "script/terminal_device.hpp"
+#include "script/wrapped_text.hpp"
 
 namespace meander {
 namespace {
@@ -119,9 +121,10 @@ int update(const Docs& docs, bool write) {
 }
 
 int tell(const Docs& docs, const DocOptions& options) {
-  if (options.name.empty()) return deliver(overview_text(docs), options);
+  const std::size_t width = options.out.empty() ? script::text_width() : 0;
+  if (options.name.empty()) return deliver(script::wrapped(overview_text(docs), width), options);
   const Record* record = find_record(docs, options.name);
-  if (record) return deliver(help_text(docs, *record), options);
+  if (record) return deliver(help_text(docs, *record, width), options);
   complain("nothing is known about '" + options.name + "'" + did_you_mean(options.name, record_names(docs)));
   return kExitUsage;
 }

@@ -9,6 +9,8 @@
 #include "script/help_text.hpp"
 #include "script/kit_module.hpp"
 #include "script/picture.hpp"
+#include "script/terminal_device.hpp"
+#include "script/wrapped_text.hpp"
 
 namespace meander::script {
 namespace {
@@ -30,28 +32,27 @@ const Record* record_meant(const Any& what, const Docs& docs) {
   return record;
 }
 
+/// Lines are broken for a terminal only: files and pipes may want to find words that stand beside each other.
+std::size_t line_width(const Call& call) { return session(call.L).write ? 0 : text_width(); }
+
 void help(const std::optional<Any>& what, const Call& call) {
   const Docs& docs = session(call.L).docs;
-  call.write(what ? help_text(docs, *record_meant(*what, docs)) : overview_text(docs));
+  const std::size_t width = line_width(call);
+  call.write(what ? help_text(docs, *record_meant(*what, docs), width) : wrapped(overview_text(docs), width));
 }
 
 void apropos(const std::string& word, const Call& call) {
   const std::string found = apropos_text(session(call.L).docs, word);
-  call.write(found.empty() ? "nothing is known about '" + visible_text(word) + "'\n" : found);
+  call.write(found.empty() ? "nothing is known about '" + visible_text(word) + "'\n"
+                           : wrapped(found, line_width(call)));
 }
 
 }  // namespace
 
 void bind_help(lua_State* L) {
   Module(L, "", "")
-      .function<&deg>(
-          Doc{.name = "deg",
-              .text = "An angle given in degrees, in radians: heading = deg(30); math.deg goes the other way.",
-              .args = {{"angle", "in degrees"}},
-              .returns = "the angle in radians",
-              .example = "print(deg(180))"})
-      .function<&rad>(Doc{
-          .name = "rad",
+      .function<&deg>(Doc{
+          .name = "deg",
           .text =
               "Radians from degrees: heading = deg(30). Angles are in radians everywhere; Lua's math.rad is the same.",
           .args = {{"angle", "in degrees"}},

@@ -22,7 +22,7 @@ requires std::same_as<std::remove_const_t<Options>, SimTable>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"world", "", "where it happens; edits take effect at the next step"}, o.world);
   robot_fields(o, visit);
-  visit(Field{"robots", "", "several robots instead of one, each with robot, sonar, drift, start"}, o.robots);
+  visit(Field{"robots", "", "several robots instead of one, each with a table of its own"}, o.robots);
   fields(o.options, visit);
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "script/example_lines.hpp"
+#include "script/wrapped_text.hpp"
 
 namespace meander::script {
 namespace {
@@ -24,6 +25,19 @@ std::string type_text(const std::string& type, const std::string& unit, const st
   return type_in_words(type, values) + (unit.empty() ? "" : " [" + unit + "]");
 }
 
+/// The keys of a nested table that are all among those beside it: ", a and b as above"; else nothing.
+std::string keys_told_beside(const OptionDoc& option, const std::vector<OptionDoc>& beside) {
+  std::string names;
+  for (const OptionDoc& key : option.options) {
+    const bool told = std::any_of(beside.begin(), beside.end(), [&](const OptionDoc& other) {
+      return other.name == key.name && other.text == key.text;
+    });
+    if (!told) return {};
+    names += (names.empty() ? "" : ", ") + key.name;
+  }
+  return names.empty() ? names : "; " + names + " as above";
+}
+
 /// Nested tables that were told already (`shown`) are not told again.
 void append_options(std::string& text, const std::vector<OptionDoc>& options, const std::string& indent,
                     std::set<std::string>& shown) {
@@ -33,11 +47,12 @@ void append_options(std::string& text, const std::vector<OptionDoc>& options, co
     const std::string note = option.required           ? ", must be given"
                              : option.standard.empty() ? ""
                                                        : ", " + option.standard + " when left out";
-    const bool again = !option.options.empty() && !shown.insert(shape_of(option)).second;
+    std::string above = keys_told_beside(option, options);
+    if (above.empty() && !option.options.empty() && !shown.insert(shape_of(option)).second)
+      above = "; its keys as above";
     text += fmt::format("{}{:<{}}  {}: {}{}{}\n", indent, option.name, width,
-                        type_text(option.type, option.unit, option.values), option.text, note,
-                        again ? "; its keys as above" : "");
-    if (!again) append_options(text, option.options, indent + "  ", shown);
+                        type_text(option.type, option.unit, option.values), option.text, note, above);
+    if (above.empty()) append_options(text, option.options, indent + "  ", shown);
   }
 }
 
@@ -118,7 +133,7 @@ std::string apropos_text(const Docs& docs, std::string_view word) {
   return text;
 }
 
-std::string help_text(const Docs& docs, const Record& record) {
+std::string help_text(const Docs& docs, const Record& record, std::size_t width) {
   std::string text = record.signature();
   if (record.kind == DocKind::property) text += ": " + type_text(record.returns_type, record.returns, {});
   text += "\n  " + record.text + "\n";
@@ -128,6 +143,7 @@ std::string help_text(const Docs& docs, const Record& record) {
   if (record.settable) text += "  can be set\n";
   if (!record.errors.empty()) text += "  fails on  " + record.errors + "\n";
   if (record.kind == DocKind::module || record.kind == DocKind::type) text += list_text(docs.members(record.name()));
+  text = wrapped(text, width);
   if (!record.example.empty()) text += "  example\n    " + indented(example_lines(record.example), "    ") + "\n";
   return text;
 }
@@ -140,9 +156,9 @@ std::string overview_text(const Docs& docs) {
     if (record.kind == DocKind::function && record.owner.empty()) functions.push_back(&record);
   }
   return "functions\n" + list_text(functions) + "modules\n" + list_text(modules) + "objects\n" + list_text(types) +
-         "help(x) tells more about a function, module, object or name: help 'world', help 'sim:drive'.\n"
-         "apropos(word) finds names. The folder examples has whole scripts; in a shell, 'meander test' runs\n"
-         "scripted tests and 'meander doc' tells what help tells.\n";
+         "help(x) tells more about a function, module, object or name: help 'sim:drive'.\n"
+         "apropos(word) finds names. The folder examples has whole scripts.\n"
+         "In a shell 'meander test' runs scripted tests and 'meander doc' tells the same.\n";
 }
 
 const Record* find_record(const Docs& docs, std::string_view name) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,8 +10,8 @@
 
 namespace meander::script {
 
-/// What help(x) writes.
-std::string help_text(const Docs& docs, const Record& record);
+/// What help(x) writes, in lines of `width` characters but for the example (0: however long they are).
+std::string help_text(const Docs& docs, const Record& record, std::size_t width = 0);
 /// Modules, types and global functions, a line each.
 std::string overview_text(const Docs& docs);
 /// A line for each record: its signature and its text.

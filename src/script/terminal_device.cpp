@@ -63,6 +63,11 @@ std::optional<TerminalSize> window_size() {
   return TerminalSize{std::min<int>(size.ws_col, 1000), std::min<int>(size.ws_row, 1000)};
 }
 
+std::size_t text_width() {
+  constexpr TerminalSize kUnknown{80, 24};
+  return isatty(STDOUT_FILENO) ? static_cast<std::size_t>(window_size().value_or(kUnknown).columns) : 0;
+}
+
 CellSize cell_size() {
   winsize size{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_xpixel < size.ws_col || size.ws_ypixel < size.ws_row ||

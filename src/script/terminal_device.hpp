@@ -3,6 +3,7 @@
 #pragma once
 #include <termios.h>
 
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -12,6 +13,9 @@ namespace meander::script {
 
 /// The size of the terminal behind standard output, if there is one.
 std::optional<TerminalSize> window_size();
+
+/// Characters in a line of text on standard output: as the terminal tells, else 80; 0 where there is no terminal.
+std::size_t text_width();
 
 /// The size of one character in pixels, as far as the terminal tells.
 struct CellSize {

@@ -123,7 +123,7 @@ TEST_F(Api, HelpOfAFunctionTellsOptionsUnitsAndValues) {
        {"world", "must be given", "'nomad200'", "seed of all random streams", "[m, rad]", "fails on", "example"})
     EXPECT_NE(written_.find(part), std::string::npos) << part << "\n" << written_;
   // The bumper's defaults are those of the platform; tables under `robots` are not told again.
-  for (const char* part : {"20 when left out", "0.2667 when left out", "its keys as above"})
+  for (const char* part : {"20 when left out", "0.2667 when left out", "; robot, sonar, drift, start as above"})
     EXPECT_NE(written_.find(part), std::string::npos) << part << "\n" << written_;
   EXPECT_LT(std::count(written_.begin(), written_.end(), '\n'), 70);
   written_.clear();
