@@ -38,8 +38,12 @@ void rename_to(World& world, const ThingRef& thing, const std::string& name) {
 }
 void open(World& world, const ThingRef& door) { set_open(world, resolve(world, door), true); }
 void close(World& world, const ThingRef& door) { set_open(world, resolve(world, door), false); }
-int undo(World& world, const std::optional<int>& steps) { return world.undo(steps.value_or(1)); }
-int redo(World& world, const std::optional<int>& steps) { return world.redo(steps.value_or(1)); }
+int count_of(const std::optional<int>& steps) {
+  if (steps && *steps < 0) fail("argument 1 ('steps'): an integer from 0 on expected, got {}", *steps);
+  return steps.value_or(1);
+}
+int undo(World& world, const std::optional<int>& steps) { return world.undo(count_of(steps)); }
+int redo(World& world, const std::optional<int>& steps) { return world.redo(count_of(steps)); }
 void transaction(World& world, const Function& body) {
   world.transaction([&] { body.call(); });
 }
@@ -168,12 +172,14 @@ void bind_history(Type<World>& type) {
                          .text = "Takes back edits; a transaction is one step.",
                          .args = {{"steps", "how many; 1 when left out"}},
                          .returns = "how many there were",
+                         .errors = "a negative number of steps",
                          .example = "w = meander.world.new {} w:add_light { position = {1, 1} } print(w:undo())"})
       .method<&redo>(
           Doc{.name = "redo",
               .text = "Does again what undo took back.",
               .args = {{"steps", "how many; 1 when left out"}},
               .returns = "how many there were",
+              .errors = "a negative number of steps",
               .example = "w = meander.world.new {} w:add_light { position = {1, 1} } w:undo() print(w:redo())"})
       .method<&transaction>(Doc{
           .name = "transaction",

@@ -187,6 +187,7 @@ lua_Integer read_integer(lua_State* L, int index, const Path& path, lua_Integer 
   int whole = 0;
   const lua_Integer number = lua_type(L, index) == LUA_TNUMBER ? lua_tointegerx(L, index, &whole) : 0;
   if (!whole) expected(L, index, path, "integer");
+  if (number < least && least == 0) fail("{}: an integer from 0 on expected, got {}", path.text(), number);
   if (number < least || number > most) fail("{}: integer {} out of range", path.text(), number);
   return number;
 }

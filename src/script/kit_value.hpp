@@ -89,11 +89,11 @@ struct Lua<int> {
   static std::string type() { return "integer"; }
 };
 
-/// 64-bit words (seeds): Lua's integers are signed, the bits are kept.
+/// 64-bit words (seeds): Lua's integers are signed, and no seed below 0 is taken, which would be shown as another one.
 template <>
 struct Lua<std::uint64_t> {
   static std::uint64_t read(lua_State* L, int index, const Path& path) {
-    return static_cast<std::uint64_t>(read_integer(L, index, path, LUA_MININTEGER, LUA_MAXINTEGER));
+    return static_cast<std::uint64_t>(read_integer(L, index, path, 0, LUA_MAXINTEGER));
   }
   static void push(lua_State* L, std::uint64_t value) { lua_pushinteger(L, static_cast<lua_Integer>(value)); }
   static std::string type() { return "integer"; }

@@ -176,7 +176,9 @@ TEST_F(SimScript, MessagesOfTheCommonMistakes) {
       {"meander.sim.new { world = 'office' }",
        "1: meander.sim.new: option 'world': world expected, got string \"office\""},
       {"new { robot = 'nomad' }",
-       "8: meander.sim.new: option 'robot': unknown value 'nomad', one of 'nomad200', 'scout'"},
+       "8: meander.sim.new: option 'robot': unknown value 'nomad', one of 'nomad200', 'scout'; did "
+       "you mean 'nomad200'?"},
+      {"new { seed = -1 }", "8: meander.sim.new: option 'seed': an integer from 0 on expected, got -1"},
       {"new { drift = { veeer = 1 } }",
        "8: meander.sim.new: unknown option 'drift.veeer'; did you mean 'veer'? (known: distance_bias, turn_bias, veer, "
        "distance_noise, turn_noise, veer_noise)"},

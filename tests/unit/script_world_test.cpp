@@ -46,6 +46,8 @@ TEST_F(WorldScript, EditsAndUndoes) {
   EXPECT_EQ(run("w:scale({'crate'}, 2) return w:get('crate').size"), "{1.2, 0.8}");
   EXPECT_EQ(run("w:rename('crate', 'chest') return crate.name"), "chest");
   EXPECT_EQ(run("w:snap('c*', 0.5) return w:get('chest').center.x"), "4.0");
+  EXPECT_EQ(run("w:undo(-1)"),
+            "error: test:1: world:undo: argument 1 ('steps'): an integer from 0 on expected, got -1");
   EXPECT_EQ(run("return w:undo(5), w == before, crate.name, w:hash() == before:hash()"), "5 true crate true");
   EXPECT_EQ(run("return w:redo(100), crate.name"), "5 chest");
   EXPECT_EQ(run("w:remove 'chest' return crate, crate.alive"), "removed thing 1 false");
