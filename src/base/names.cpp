@@ -28,13 +28,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::optional<std::string> nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
   constexpr std::size_t kLongestCompared = 64;
-  if (name.size() > kLongestCompared) return std::nullopt;
+  if (name.size() < 2 || name.size() > kLongestCompared) return std::nullopt;  // every other letter is as near
   std::optional<std::string> best;
-  std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
+  std::size_t least = kLongestCompared;
   for (const std::string& candidate : candidates) {
-    if (candidate.size() > kLongestCompared) continue;
-    const std::size_t distance = edit_distance(name, candidate);
-    if (distance < least) least = distance, best = candidate;
+    if (candidate.size() < 2 || candidate.size() > kLongestCompared) continue;
+    const bool begun = name.size() > 2 && candidate.starts_with(name);
+    const std::size_t distance = begun ? std::size_t{candidate != name} : edit_distance(name, candidate);
+    const bool near = distance <= std::max(name.size(), candidate.size()) / 3;
+    if (near && distance < least) least = distance, best = candidate;
   }
   return best;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
+#include <fmt/format.h>
 #include <lauxlib.h>
 #include <lua.h>
 
@@ -44,11 +45,11 @@ int search_folder(lua_State* L) {
 
 /// "json" is found as meander.json, and misspelt names as the nearest one.
 std::string near_module(const std::string& name) {
-  const std::string full = name.starts_with(kPrefix) ? name : std::string(kPrefix) + name;
+  const std::string plain = name.starts_with(kPrefix) ? name.substr(kPrefix.size()) : name;
   std::vector<std::string> names;
-  for (const EmbeddedModule& module : embedded_modules()) names.emplace_back(module.name);
-  if (std::find(names.begin(), names.end(), full) != names.end()) return "; did you mean '" + full + "'?";
-  return did_you_mean(full, names);
+  for (const EmbeddedModule& module : embedded_modules()) names.emplace_back(module.name.substr(kPrefix.size()));
+  const auto near = nearest_name(plain, names);
+  return near ? fmt::format("; did you mean '{}{}'?", kPrefix, *near) : std::string();
 }
 
 /// The path to read a module of the user from, if it is there and may be read.

@@ -51,8 +51,8 @@ Imported import_world(const std::string& path, const ImportOptions& options, con
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   for (const auto& [known, importer] : kImporters)
     if (suffix == known) return importer(path, options, work);
-  fail<FileError>("{}: a file of a known format ({}) expected, got '{}'", path, listing(import_suffixes()),
-                  printable(suffix));
+  fail<FileError>("{}: a file of a known format ({}) expected, got {}", path, listing(import_suffixes()),
+                  suffix.empty() ? "no suffix" : "'" + printable(suffix) + "'");
 }
 
 }  // namespace meander

@@ -23,6 +23,15 @@ TEST(Names, FindsTheNearest) {
   EXPECT_EQ(nearest_name(std::string(1'000'000, 'a'), kKnown), std::nullopt);
 }
 
+TEST(Names, ShortWordsAreNearToFew) {
+  EXPECT_EQ(nearest_name("-", {"g", "a"}), std::nullopt);
+  EXPECT_EQ(nearest_name("ab", {"a", "xb"}), std::nullopt);
+  EXPECT_EQ(nearest_name("ab", {"abc"}), "abc");
+  EXPECT_EQ(nearest_name("goal", {"goal_1", "g"}), "goal_1");
+  EXPECT_EQ(nearest_name("crat", {"crates_left", "cat"}), "crates_left");
+  EXPECT_EQ(nearest_name("nomod", {"json", "report"}), std::nullopt);
+}
+
 TEST(Names, OneSlipIsAlwaysForgiven) {
   Stream random(1, "slips");
   for (int i = 0; i < 2000; ++i) {

@@ -326,9 +326,9 @@ TEST_F(SimScript, SavesAndShows) {
   session_.write = [&](std::string_view text) { shown += text; };
   EXPECT_EQ(run("show(run) show(sim) show(w)"), "");
   EXPECT_GT(shown.size(), 300u);
-  EXPECT_EQ(
-      run("show(3)"),
-      "error: test:1: show: something that can be seen expected (a world, a sim, a run, a reading, numbers), got number 3");
+  EXPECT_EQ(run("show(3)"),
+            "error: test:1: show: something that can be seen expected (a world, a sim, a run, a reading, numbers), got "
+            "number 3");
 }
 
 TEST_F(SimScript, CollectingInBetweenChangesNothing) {
