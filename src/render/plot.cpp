@@ -30,7 +30,8 @@ Range range_of(std::span<const double> values) {
   Range range;
   for (const double value : values)
     if (plottable(value)) range.add(value);
-  if (range.empty()) fail("a plot needs at least one finite number, got {} that are not", values.size());
+  if (values.empty()) fail("numbers to draw expected, got none");
+  if (range.empty()) fail("numbers to draw expected, got {} that are not finite", values.size());
   return range;
 }
 

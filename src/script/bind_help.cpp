@@ -67,7 +67,7 @@ void bind_help(lua_State* L) {
       .function<&show>(
           Doc{.name = "show",
               .text = "Draws in the terminal: a world, a sim, a run, a sonar reading, a picture; numbers as a curve, a "
-                      "matrix as a heat map.",
+                      "matrix or a list of rows as a heat map.",
               .args = {{"object", "what to draw"}},
               .errors = "something that has no picture",
               .example = "show(meander.world.open 'worlds/office.toml')"})

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #include <algorithm>
+#include <cmath>
 
 #include "render/plot.hpp"
 #include "script/bind.hpp"
@@ -76,7 +77,7 @@ std::string text(const Numbers& numbers) {
   constexpr std::size_t kMostShown = 16;
   std::string text = "{";
   for (std::size_t i = 0; i < std::min(numbers.size(), kMostShown); ++i)
-    text += fmt::format("{}{:.6g}", i ? ", " : "", numbers[i]);
+    text += (i ? ", " : "") + (std::isnan(numbers[i]) ? "nan" : fmt::format("{:.6g}", numbers[i]));
   return text + (numbers.size() > kMostShown ? fmt::format(", ... {} in all}}", numbers.size()) : "}");
 }
 

@@ -74,11 +74,12 @@ std::string text(const Any& what, const TextTable& options) {
   return meander::text(terminal_frame(list, options.size, options.mode));
 }
 
-DrawList curve(const Values& values, const PlotWords& words) { return draw_curve(values.list, words); }
-DrawList histogram(const Values& values, const HistogramTable& table) {
+DrawList curve(const Drawn& values, const PlotWords& words) { return draw_curve(values.list, words); }
+DrawList histogram(const Drawn& values, const HistogramTable& table) {
   return draw_histogram(values.list, table.bins, table.words);
 }
-DrawList heat_map(const Matrix& matrix, const PlotWords& words) {
+DrawList heat_map(const Rows& rows, const PlotWords& words) {
+  const Matrix& matrix = rows.matrix;
   return draw_heat_map(*matrix.cells, static_cast<int>(matrix.rows), static_cast<int>(matrix.columns), words);
 }
 
@@ -110,7 +111,8 @@ void bind_plots(Module& module) {
   module
       .function<&curve>(Doc{.name = "curve",
                             .text = "A picture of numbers over their index; show(numbers) is the same without words.",
-                            .args = {{"values", "a list or view of numbers"}, {"words", "what stands beside it"}},
+                            .args = {{"values", "a list or view of numbers; gaps where they are not finite"},
+                                     {"words", "what stands beside it"}},
                             .returns = "the picture, for show and save",
                             .errors = "no finite number",
                             .example = "show(meander.render.curve({3, 1, 2}, { y = 'error [m]' }))"})
@@ -120,12 +122,13 @@ void bind_plots(Module& module) {
                                 .returns = "the picture, for show and save",
                                 .errors = "no finite number",
                                 .example = "show(meander.render.histogram({1, 2, 2, 3}, { bins = 3 }))"})
-      .function<&heat_map>(Doc{.name = "heat_map",
-                               .text = "A picture of a matrix, first row on top; dark is much.",
-                               .args = {{"matrix", "the numbers"}, {"words", "what stands beside it"}},
-                               .returns = "the picture, for show and save",
-                               .errors = "no finite number",
-                               .example = "show(meander.render.heat_map(meander.matrix { {1, 2}, {3, 4} }))"});
+      .function<&heat_map>(
+          Doc{.name = "heat_map",
+              .text = "A picture of a matrix, first row on top; dark is much.",
+              .args = {{"matrix", "the numbers, or a list of rows of them"}, {"words", "what stands beside it"}},
+              .returns = "the picture, for show and save",
+              .errors = "no finite number",
+              .example = "show(meander.render.heat_map { {1, 2}, {3, 4} })"});
 }
 
 }  // namespace

@@ -27,6 +27,10 @@ std::size_t native_size(const DrawList& list) {
 namespace meander::script {
 namespace {
 
+DrawList heat_map(const Matrix& matrix) {
+  return draw_heat_map(*matrix.cells, static_cast<int>(matrix.rows), static_cast<int>(matrix.columns));
+}
+
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
   return value ? value : "";
@@ -108,9 +112,11 @@ std::string terminal_picture(const DrawList& list, const Call& call) {
 std::shared_ptr<const DrawList> drawing_of(lua_State* L, int index) {
   const Path path{.kind = Path::Kind::value, .name = "picture"};
   if (test_box(L, index, tag_of<DrawList>)) return read_object<DrawList>(L, index, path);
-  if (lua_istable(L, index)) return std::make_shared<DrawList>(draw_curve(Lua<Values>::read(L, index, path).list));
+  if (is_nested(L, index)) return std::make_shared<DrawList>(heat_map(Lua<Rows>::read(L, index, path).matrix));
+  if (lua_istable(L, index)) return std::make_shared<DrawList>(draw_curve(Lua<Drawn>::read(L, index, path).list));
   if (lua_isnoneornil(L, index) || luaL_getmetafield(L, index, "__show") == LUA_TNIL)
-    fail("something that can be seen expected (a world, a sim, a run, a reading, numbers), got {}", describe(L, index));
+    fail("something that can be seen expected (a world, a sim, a run, a reading, numbers), got {}{}",
+         describe(L, index), test_box(L, index, tag_of<Observation>) ? "; its .sonar can be shown" : "");
   lua_pushvalue(L, index);
   lua_call(L, 1, 1);
   const auto drawing = read_object<DrawList>(L, -1, path);

@@ -21,4 +21,26 @@ struct Lua<Values> {
   static std::string type() { return "list of numbers"; }
 };
 
+/// What is drawn: numbers that are not finite are gaps.
+struct Drawn {
+  std::vector<double> list;
+};
+template <>
+struct Lua<Drawn> {
+  static Drawn read(lua_State* L, int index, const Path& path);
+  static std::string type() { return Lua<Values>::type(); }
+};
+
+/// A matrix, or a list of its rows.
+struct Rows {
+  Matrix matrix;
+};
+template <>
+struct Lua<Rows> {
+  static Rows read(lua_State* L, int index, const Path& path);
+  static std::string type() { return "matrix or list of list of number"; }
+};
+/// The value at `index` is a list whose first element is a list, too.
+bool is_nested(lua_State* L, int index);
+
 }  // namespace meander::script

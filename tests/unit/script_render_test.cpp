@@ -25,7 +25,7 @@ class RenderScript : public ScriptState {
 TEST_F(RenderScript, EverythingThatCanBeSeenIsShown) {
   for (const char* what :
        {"s", "run", "s.world", "meander.sensor.scan { world = s.world }", "run:trace 'v'", "run:sonar()", "{1, 2, 4}",
-        "r.curve {1, 2}", "r.histogram {1, 2}", "r.heat_map(run:sonar())"}) {
+        "r.curve {1, 2}", "{1, 0/0, 3}", "{{1, 2}, {3, 0/0}}", "r.heat_map {{1, 2}, {3, 4}}", "r.histogram {1, 2}", "r.heat_map(run:sonar())"}) {
     written_.clear();
     EXPECT_EQ(run(std::string("show(") + what + ")"), "") << what;
     EXPECT_GT(written_.size(), 50u) << what;
@@ -39,7 +39,12 @@ TEST_F(RenderScript, WhatHasNoPictureIsSaid) {
       run("r.save(3, 'x.png')"),
       "error: test:1: meander.render.save: something that can be seen expected (a world, a sim, a run, a reading, "
       "numbers), got number 3");
-  EXPECT_EQ(run("show {}"), "error: test:1: show: a plot needs at least one finite number, got 0 that are not");
+  EXPECT_EQ(run("show {}"), "error: test:1: show: numbers to draw expected, got none");
+  EXPECT_EQ(run("show {0/0, 1/0}"), "error: test:1: show: numbers to draw expected, got 2 that are not finite");
+  EXPECT_EQ(run("show {{1, 2}, {3}}"), "error: test:1: show: rows of equal length expected, got 2 and 1");
+  EXPECT_EQ(run("show(s.observation)"),
+            "error: test:1: show: something that can be seen expected (a world, a sim, a run, a reading, numbers), got "
+            "observation; its .sonar can be shown");
   EXPECT_EQ(run("show {1, 'x'}").substr(0, 19), "error: test:1: show");
   EXPECT_EQ(run("r.text(s, { hide = {'grit'} })").substr(0, 77),
             "error: test:1: meander.render.text: option 'hide[1]': unknown value 'grit', o");
