@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <exception>
@@ -16,6 +17,11 @@
 namespace meander {
 namespace {
 
+void tell_limits(const script::SandboxOptions& limits) {
+  complain(fmt::format("sandbox: files of folder '{}' only, {} MiB of memory, {} s of computing time", limits.folder,
+                       limits.memory, limits.seconds));
+}
+
 int run(CommandLine line) {
   if (line.script)
     if (const Subcommand* command = find_subcommand(*line.script)) return command->run(line);
@@ -31,6 +37,7 @@ int run(CommandLine line) {
   set_up_terminal(lua);
   const int code = run_batch(lua, line);
   if (!line.interactive || lua.ended()) return code;
+  if (line.sandbox && isatty(STDIN_FILENO)) tell_limits(*line.sandbox);
   return repl::run_prompt(
       lua, {.version = MEANDER_VERSION, .start_up = !line.no_rc && !line.sandbox, .history = !line.sandbox});
 }

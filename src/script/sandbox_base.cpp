@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: the meander authors
 #include <lauxlib.h>
 
-#include <unistd.h>
-
 #include <cstdio>
 
 #include "base/visible_text.hpp"
@@ -108,13 +106,9 @@ int safe_collectgarbage(lua_State* L) {
   }
 }
 
-/// A terminal is not commanded.
+/// A terminal is not commanded, nor one behind a pipe.
 void write_charged(lua_State* L, const char* text, std::size_t size) {
   charge_output(L, size);
-  if (!isatty(STDOUT_FILENO)) {
-    std::fwrite(text, 1, size, stdout);
-    return;
-  }
   const std::string visible = visible_text({text, size});
   std::fwrite(visible.data(), 1, visible.size(), stdout);
 }

@@ -62,7 +62,7 @@ int safe_rename(lua_State* L) {
   return replace_name(L, 1, false) && replace_name(L, 2, false) ? call_original(L) : refuse(L);
 }
 
-/// What is written to a terminal may not command it.
+/// What may reach a terminal may not command it.
 void make_visible(lua_State* L, int from) {
   for (int i = from; i <= lua_gettop(L); ++i) {
     if (lua_type(L, i) != LUA_TSTRING) continue;
@@ -74,10 +74,10 @@ void make_visible(lua_State* L, int from) {
   }
 }
 
-/// The file at `index` is open and a terminal.
-bool is_terminal(lua_State* L, int index) {
+/// The file at `index` is open and one of the program's own: a terminal, or a pipe that may lead to one.
+bool is_standard(lua_State* L, int index) {
   const auto* stream = static_cast<luaL_Stream*>(luaL_testudata(L, index, LUA_FILEHANDLE));
-  return stream && stream->closef && isatty(fileno(stream->f));
+  return stream && stream->closef && fileno(stream->f) <= STDERR_FILENO;
 }
 
 /// file:write(...); and io.write(...), which has standard output as upvalue 2.
@@ -90,7 +90,7 @@ int safe_write(lua_State* L) {
     lua_pushvalue(L, lua_upvalueindex(2));
     lua_insert(L, 1);
   }
-  if (is_terminal(L, 1)) make_visible(L, 2);
+  if (is_standard(L, 1)) make_visible(L, 2);
   return call_original(L);
 }
 

@@ -65,6 +65,37 @@ void drop_others(lua_State* L, int index, std::span<const std::string_view> kept
   }
 }
 
+/// __index of a library: upvalue 1 is its name, upvalue 2 has the names that were dropped as keys.
+int explain_missing(lua_State* L) {
+  lua_settop(L, 2);
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, lua_upvalueindex(2)) == LUA_TNIL) return 0;
+  return luaL_error(L, "the sandbox has no %s.%s", lua_tostring(L, lua_upvalueindex(1)), lua_tostring(L, 2));
+}
+
+/// Gives the library on top a metatable that tells which functions of the original a sandbox has not.
+void explain_dropped(lua_State* L, const char* name, int original) {
+  const int kept = lua_gettop(L);
+  lua_createtable(L, 0, 2);
+  lua_pushstring(L, name);
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, original); lua_pop(L, 1)) {
+    if (lua_type(L, -2) != LUA_TSTRING) continue;
+    lua_pushvalue(L, -2);
+    if (lua_rawget(L, kept) == LUA_TNIL) {
+      lua_pushvalue(L, -3);
+      lua_pushboolean(L, true);
+      lua_rawset(L, -6);
+    }
+    lua_pop(L, 1);
+  }
+  lua_pushcclosure(L, explain_missing, 2);
+  lua_setfield(L, -2, "__index");
+  lua_pushliteral(L, "locked");
+  lua_setfield(L, -2, "__metatable");
+  lua_setmetatable(L, kept);
+}
+
 /// A library is a global and a loaded module; the old table is reachable by nothing any more.
 void set_library(lua_State* L, const char* name, int loaded) {
   lua_pushvalue(L, -1);
@@ -113,6 +144,12 @@ void keep_safe_libraries(lua_State* L) {
   add_safe_debug(L);
   add_safe_os(L, original - 1);
   add_safe_io(L, original);
+  original = loaded;
+  for (const Library& library : kLibraries) {
+    lua_getglobal(L, library.name);
+    explain_dropped(L, library.name, ++original);
+    lua_pop(L, 1);
+  }
   lua_settop(L, base);
 }
 

@@ -13,9 +13,12 @@ for _, object in ipairs { meander.world.new {}, meander.matrix { { 1 } }, meande
   assert(not pcall(rawset, object, 1, 1))
 end
 assert(not io.stdout.setvbuf)
+for _, library in ipairs { string, os, io, debug } do
+  assert(getmetatable(library) == "locked" and not pcall(setmetatable, library, {}))
+end
 for _, name in ipairs { "getregistry", "getupvalue", "setupvalue", "upvalueid", "upvaluejoin", "getlocal", "setlocal", "sethook", "gethook",
   "setmetatable", "getmetatable", "getuservalue", "setuservalue", "debug", "setcstacklimit" } do
-  assert(debug[name] == nil, name)
+  assert(rawget(debug, name) == nil and not pcall(function() return debug[name] end), name)
 end
 assert(not pcall(debug.getinfo, 1))
 assert(not pcall(debug.getinfo, 1, "f"))

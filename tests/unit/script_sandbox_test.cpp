@@ -131,6 +131,15 @@ TEST_F(SandboxTest, ExitEndsTheScriptWithItsCode) {
   EXPECT_TRUE(lua_isnil(lua.state(), -1));
 }
 
+TEST_F(SandboxTest, FunctionsThatWereDroppedAreNamed) {
+  Interpreter lua({.sandbox = SandboxOptions{}});
+  EXPECT_EQ(run(lua, "os.execute 'ls'"), "test:1: the sandbox has no os.execute");
+  EXPECT_EQ(run(lua, "local s = ('x').dump"), "test:1: the sandbox has no string.dump");
+  EXPECT_EQ(run(lua, "local f = io.stdin"), "test:1: the sandbox has no io.stdin");
+  EXPECT_EQ(run(lua, "assert(os.exec == nil and math.foo == nil and os[1] == nil)"), "");
+  EXPECT_EQ(run(lua, "assert(rawget(os, 'execute') == nil and getmetatable(os) == 'locked')"), "");
+}
+
 TEST_F(SandboxTest, WordsThatAreShownAgainCommandNoTerminal) {
   Interpreter lua({.sandbox = SandboxOptions{}});
   std::string written;
