@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string_view>
 
@@ -78,7 +79,10 @@ void add_options(CLI::App& app, CommandLine& line) {
   app.add_flag("--no-rc", line.no_rc, "at the prompt, skip the start-up file $XDG_CONFIG_HOME/meander/init.lua");
   app.add_option("--lua-dir", line.lua_dir, "use the Lua modules of DIR instead of those inside the program")
       ->type_name("DIR")
-      ->check(CLI::Validator(CLI::ExistingDirectory).description(""));
+      ->check([](const std::string& path) {
+        std::error_code failed;
+        return std::filesystem::is_directory(path, failed) ? std::string() : "no folder '" + path + "'";
+      });
   add_sandbox_options(app, line.sandbox);
   app.prefix_command();
 }
@@ -112,7 +116,7 @@ std::optional<int> parse_command_line(int argc, char** argv, CommandLine& line) 
   } catch (const CLI::Success& wanted) {
     return app.exit(wanted);
   } catch (const std::exception& error) {
-    return usage_error(error.what());
+    return usage_error(problem_of(app, error));
   }
   return take_script(app, app.remaining(), line);
 }

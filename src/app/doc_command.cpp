@@ -78,7 +78,7 @@ std::optional<int> parse(const CommandLine& line, DocOptions& options) {
   } catch (const CLI::Success& wanted) {
     return app.exit(wanted);
   } catch (const CLI::ParseError& error) {
-    return usage_error(error.what());
+    return usage_error(problem_of(app, error));
   }
   if (options.wanted.size() + options.write + options.check + !options.name.empty() > 1)
     return usage_error("one of NAME, --markdown, --luals, --man, --write and --check expected, got several");

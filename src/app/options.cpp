@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/number_option.hpp"
 #include "base/names.hpp"
 
 namespace meander {
@@ -36,10 +37,22 @@ void add_sandbox_options(CLI::App& app, std::optional<script::SandboxOptions>& s
       });
     };
     const std::string unit = *field.unit ? fmt::format(" [{}]", field.unit) : "";
-    app.add_option_function<T>(fmt::format("--sandbox-{}", field.name), set, field.doc + unit)
-        ->default_str(fmt::format("{}", value))
-        ->take_last();
+    CLI::Option* option = app.add_option_function<T>(fmt::format("--sandbox-{}", field.name), set, field.doc + unit)
+                              ->default_str(fmt::format("{}", value))
+                              ->take_last();
+    if constexpr (std::is_arithmetic_v<T>)
+      option->check(number_from(static_cast<T>(field.least), static_cast<T>(field.most), field.unit));
   });
+}
+
+std::string problem_of(const CLI::App& app, const std::exception& error) {
+  const std::string text = error.what();
+  const std::string name = text.substr(0, text.find(':'));
+  const CLI::Option* option = app.get_option_no_throw(name);
+  if (!option || !name.starts_with('-')) return text;
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
+    return fmt::format("option {} needs a value: {} {}", name, name, option->get_type_name());
+  return dynamic_cast<const CLI::ParseError*>(&error) ? "option " + text : text;
 }
 
 std::string unknown_option(const CLI::App& app, const std::string& word) {

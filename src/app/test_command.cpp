@@ -87,6 +87,8 @@ int test_command(const CommandLine& line) {
   std::vector<std::string> files;
   try {
     files = test_files(options.paths);
+    if (options.interpreter.sandbox) check_inside(options.paths, options.interpreter.sandbox->folder);
+    if (!options.junit.empty()) check_writable(options.junit);
   } catch (const FileError& error) {
     complain(error.what());
     return kExitUsage;

@@ -54,4 +54,18 @@ std::vector<std::string> test_files(const std::vector<std::string>& paths) {
   return files;
 }
 
+void check_inside(const std::vector<std::string>& paths, const std::string& folder) {
+  std::error_code failed;
+  const auto leads_into = [&](const fs::path& path, const fs::path& place) {
+    const fs::path way = fs::canonical(path, failed).lexically_relative(fs::canonical(place, failed));
+    return !way.empty() && *way.begin() != "..";
+  };
+  if (!fs::is_directory(folder, failed)) fail<FileError>("sandbox: no folder '{}' (--sandbox-folder)", folder);
+  for (const std::string& wanted : paths) {
+    const std::string path = find_file(wanted).value_or(wanted);
+    if (!leads_into(path, folder) && !leads_into(path, data_folder()))
+      fail<FileError>("sandbox: '{}' is not in the folder that may be used (--sandbox-folder)", wanted);
+  }
+}
+
 }  // namespace meander

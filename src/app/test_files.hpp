@@ -10,4 +10,8 @@ namespace meander {
 /// folders left out. Each file once. Throws FileError for a path that is not there.
 std::vector<std::string> test_files(const std::vector<std::string>& paths);
 
+/// Throws FileError where one of the paths leads out of the folder of a sandbox: its tests could read nothing there.
+/// What came with the program may be read.
+void check_inside(const std::vector<std::string>& paths, const std::string& folder);
+
 }  // namespace meander

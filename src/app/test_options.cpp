@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "app/number_option.hpp"
 #include "app/options.hpp"
 #include "app/output.hpp"
 
@@ -15,7 +16,8 @@ constexpr const char* kFooter = R"(
 PATH is a test file, or a folder: all *_test.lua in it and below. What stands behind -- is the table 'arg' of every file.
 Each test runs in a process and Lua state of its own.
 
-Exit codes: 0 all passed, 2 error on the command line or no test found, 3 a test failed, 130 interrupted.)";
+Exit codes: 0 all passed, 1 a report cannot be written, 2 error on the command line or no test found, 3 a test failed,
+130 interrupted.)";
 
 int usage_error(const std::string& message) {
   complain(message + " (meander test --help tells more)");
@@ -26,14 +28,15 @@ void add_options(CLI::App& app, TestOptions& options) {
   app.set_help_flag("-h,--help", "this text");
   app.add_option("--filter", options.filter, "only tests whose full name contains TEXT")->type_name("TEXT");
   app.add_option("--seed", options.seed, "seed of math.random, and what each test is given")
+      ->check(number_from<std::uint64_t>(0, std::numeric_limits<std::uint64_t>::max()))
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--jobs,-j", options.jobs, "tests at a time; 0: one per core")
-      ->check(CLI::Range(0, 1024))
+      ->check(number_from(0, 1024))
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--timeout", options.timeout, "seconds that a test may take")
-      ->check(CLI::Range(0.01, 1e6))
+      ->check(number_from(0.01, 1e6, "s"))
       ->type_name("S")
       ->capture_default_str();
   app.add_flag("--fail-fast", options.fail_fast, "stop at the first failure");
@@ -71,7 +74,7 @@ std::optional<int> parse_test_options(const CommandLine& line, TestOptions& opti
   } catch (const CLI::Success& wanted) {
     return app.exit(wanted);
   } catch (const std::exception& error) {
-    return usage_error(error.what());
+    return usage_error(problem_of(app, error));
   }
   if (const auto unknown = unknown_word(app)) return usage_error(*unknown);
   if (options.paths.empty()) return usage_error("PATH is missing: a test file or a folder");

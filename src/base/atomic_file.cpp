@@ -112,6 +112,14 @@ void replace(const std::string& path, const std::string& target, std::string_vie
 
 }  // namespace
 
+void check_writable(const std::string& path) {
+  const auto folder = std::filesystem::path(path).parent_path();
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) refuse(path, EISDIR);
+  const bool device = std::filesystem::is_other(path, ignored);
+  if (::access(device ? path.c_str() : folder.empty() ? "." : folder.c_str(), W_OK) != 0) refuse(path, errno);
+}
+
 void write_file_atomically(const std::string& path, std::string_view text) {
   if (path.find('\0') != std::string::npos)
     fail<FileError>("{}: cannot be written: zero byte in the name", path.c_str());

@@ -13,4 +13,8 @@ namespace meander {
 /// "path: cannot be written: reason"; nothing is left behind then.
 void write_file_atomically(const std::string& path, std::string_view text);
 
+/// Throws the same FileError where it is plain that the file could not be written: before work whose result it is to
+/// hold.
+void check_writable(const std::string& path);
+
 }  // namespace meander
