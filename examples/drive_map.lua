@@ -16,11 +16,11 @@ local options = require "meander.arguments" {
   { "--out DIR", default = "out", help = "folder of the picture and the record" },
   { "--heading DEG", default = 0.0, help = "heading at the start, in degrees" },
   { "--resolution M", default = 0.05, help = "metres per pixel of a plain image" },
-  { "--unknown HOW", default = "auto", help = "unknown cells of a ROS map: auto, free or occupied" },
+  { "--unknown HOW", default = "auto", values = { "auto", "free", "occupied" }, help = "unknown cells of a ROS map" },
   { "--index N", default = 0, help = "which world of a BARN file" },
-  { "--navigator NAME", default = "potential_field", help = "who drives" },
-  { "--robot NAME", default = "nomad200", help = "kind of robot: nomad200 (radius 0.27 m) or scout (0.19 m)" },
-  { "--sonar NAME", default = "nomad", help = "sonar preset: ideal, nomad or real" },
+  { "--navigator NAME", default = "potential_field", values = meander.autonomy.navigators(), help = "who drives" },
+  { "--robot NAME", default = "nomad200", values = meander.robot.platforms(), help = "kind of robot" },
+  { "--sonar NAME", default = "nomad", values = meander.sensor.sonars(), help = "sonar preset" },
   { "--time-limit S", default = 600.0, help = "simulated seconds until the drive is given up" },
   { "MAP", help = "map file" },
   { "X Y ...", help = "points in metres", rest = true },
@@ -52,6 +52,8 @@ local start
 if #goals > 1 then
   local first = table.remove(goals, 1)
   start = { first[1], first[2], deg(options.heading) }
+elseif not world.start then
+  report.usage_error("two points needed, start and goal: the map names no start")
 end
 local sim = meander.sim.new {
   world = world, robot = options.robot, sonar = options.sonar, start = start, seed = options.seed,

@@ -23,7 +23,7 @@ local options = require "meander.arguments" {
   { "--room N", default = 447, help = "number of the simulated room; 447 is nearest to the SCITOS log" },
   { "--rooms N", default = 0, help = "look through so many rooms for the best one" },
   { "--generations N", default = 0, help = "generations of the fit; 0: no fit" },
-  { "--fit WHAT", default = "all", help = "all: sonar and drive; drive: ring radius, distance, speed, preset as it is" },
+  { "--fit WHAT", default = "all", values = { "all", "drive" }, help = "sonar and drive, or only ring radius, distance and speed" },
   { "--population N", default = 24, help = "points per generation" },
   { "--transfer N", default = 0, help = "try the parameters in so many other rooms" },
   { "--jobs N", default = 0, help = "worker processes; 0: one per core" },
@@ -43,6 +43,7 @@ preset.ring, preset.distance, preset.speed = 0.31, 0.5, 0.15
 local frames, passed
 if options.LOG ~= "" then
   frames, passed = log.read(options.LOG)
+  if not frames then report.failure(passed) end
 else
   local plan = { frames = 600, sensors = 24, rate = options.rate, ring = 0.31, seed = 1001, distance = 0.5, speed = 0.15 }
   plan.sonar = meander.sensor.sonar "real"
@@ -89,11 +90,7 @@ if options.rooms > 0 then
   say(("of %d rooms number %d fits best: misfit %.3f"):format(options.rooms, number, least))
 end
 
-if options.fit == "drive" then
-  search.only_the_drive()
-elseif options.fit ~= "all" then
-  report.usage_error("--fit: 'all' or 'drive' expected, got '" .. options.fit .. "'")
-end
+if options.fit == "drive" then search.only_the_drive() end
 
 local fitted
 if options.generations > 0 then

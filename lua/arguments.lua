@@ -5,6 +5,7 @@
 --   local options = require "meander.arguments" {
 --     about = "drives a robot through the office",
 --     { "--seed N", default = 7, help = "seed of all random streams" },
+--     { "--robot NAME", default = "scout", values = { "scout", "nomad200" }, help = "kind of robot" },
 --     { "--json", help = "one JSON object per line instead of text" },
 --     { "--out DIR", default = "out", help = "where pictures go" },
 --     { "MAP", help = "map file" },
@@ -12,8 +13,9 @@
 --   }
 --   print(options.seed, options.json, options.MAP, options.rest[1])
 --
--- A default that is a number makes the option a number, a whole one if it is whole; an option without a placeholder is a flag. --help prints the
--- table and ends the script; a mistake ends it with one line and exit code 2.
+-- An option with values takes no other words; --help lists them. A default that is a number makes the option a number, a
+-- whole one if it is whole; an option without a placeholder is a flag. --help prints the table and ends the script; a
+-- mistake ends it with one line and exit code 2.
 
 local did_you_mean = require "meander.testing.names"
 
@@ -41,13 +43,20 @@ local function prepared(spec)
   return plan
 end
 
+-- "a, b or c"
+local function either(words)
+  local last = #words
+  return last == 1 and words[1] or table.concat(words, ", ", 1, last - 1) .. " or " .. words[last]
+end
+
 local function usage(spec)
   local words, lines = { "usage: " .. script_name() }, {}
   for _, entry in ipairs(spec) do
     local left = entry[1]
     local shown = entry.default ~= nil and (" [%s]"):format(tostring(entry.default)) or ""
     words[#words + 1] = is_option(left) and "[" .. left .. "]" or left
-    lines[#lines + 1] = ("  %-18s %s%s"):format(left, entry.help or "", shown)
+    local known = entry.values and ": " .. either(entry.values) or ""
+    lines[#lines + 1] = ("  %-18s %s%s%s"):format(left, entry.help or "", known, shown)
   end
   return table.concat(words, " ") .. "\n" .. (spec.about and spec.about .. "\n" or "") .. table.concat(lines, "\n")
 end
@@ -60,6 +69,20 @@ local function number(text, default, what)
     leave(("%s: a %s expected, got '%s'"):format(what, whole and "whole number" or "number", text), 2)
   end
   return whole and math.tointeger(value) or value
+end
+
+-- The text, if it is one of those that there are.
+local function choice(text, known, what)
+  for _, word in ipairs(known) do
+    if word == text then return text end
+  end
+  leave(("%s: %s expected, got '%s'%s"):format(what, either(known), text, did_you_mean(text, known)), 2)
+end
+
+-- What the text behind an option, or in its place, stands for.
+local function value_of(text, entry, what)
+  if entry.values then return choice(text, entry.values, what) end
+  return type(entry.default) == "number" and number(text, entry.default, what) or text
 end
 
 local function option(plan, values, words, i)
@@ -77,8 +100,7 @@ local function option(plan, values, words, i)
   local text = inline or words[i + 1]
   if not inline then i = i + 1 end
   if not text then leave(("option %s needs a value: %s"):format(word, flag.entry[1]), 2) end
-  local default = flag.entry.default
-  values[flag.key] = type(default) == "number" and number(text, default, "option " .. word) or text
+  values[flag.key] = value_of(text, flag.entry, "option " .. word)
   return i
 end
 
@@ -88,7 +110,7 @@ local function take_positional(plan, values, given)
     if entry.rest then
       values.rest = table.move(given, i, #given, 1, {})
     elseif given[i] then
-      values[entry[1]] = given[i]
+      values[entry[1]] = value_of(given[i], { values = entry.values }, entry[1])
     elseif entry.default ~= nil then
       values[entry[1]] = entry.default
     else

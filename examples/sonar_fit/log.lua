@@ -14,24 +14,24 @@ local function ranges_of(line)
   return ranges
 end
 
---- Frames of the file (lists of ranges of equal length) and how many lines were passed over. Errors name file and line.
+--- Frames of the file (lists of ranges of equal length) and how many lines were passed over, or nil and why not.
 function log.read(path)
   local frames, passed, number = {}, 0, 0
   local file, problem = io.open(path)
-  if not file then error(problem, 0) end
+  if not file then return nil, problem end
   for line in file:lines() do
     number = number + 1
     local ranges = ranges_of(line)
     if #ranges < 2 then
       passed = passed + 1
     elseif frames[1] and #ranges ~= #frames[1] then
-      error(("%s:%d: %d ranges expected as in the rows above, got %d"):format(path, number, #frames[1], #ranges), 0)
+      return nil, ("%s:%d: %d ranges expected as in the rows above, got %d"):format(path, number, #frames[1], #ranges)
     else
       frames[#frames + 1] = ranges
     end
   end
   file:close()
-  if #frames < 10 then error(("%s: at least 10 rows of ranges expected, got %d"):format(path, #frames), 0) end
+  if #frames < 10 then return nil, ("%s: at least 10 rows of ranges expected, got %d"):format(path, #frames) end
   return frames, passed
 end
 

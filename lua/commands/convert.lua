@@ -7,7 +7,7 @@ local options = require "meander.arguments" {
   about = "reads a world (.toml), ROS map (.yaml), floor plan (image) or BARN world (.csv); writes by the suffix of OUT:\n"
     .. ".toml world, .yaml ROS map with its .pgm, .svg or .png picture",
   { "--resolution M", default = 0.05, help = "metres per pixel of an image; of a ROS map that is written" },
-  { "--unknown HOW", default = "auto", help = "unknown cells of a ROS map: auto, free or occupied" },
+  { "--unknown HOW", default = "auto", values = { "auto", "free", "occupied" }, help = "unknown cells of a ROS map" },
   { "--index N", default = 0, help = "which world of a BARN file" },
   { "--force", help = "write over a file that is there" },
   { "IN", help = "file to read" },
@@ -21,12 +21,25 @@ local writers = {
   yaml = function(world, path) world:export_ros(path, { resolution = options.resolution }) end,
 }
 
-local write = writers[options.OUT:match("%.(%w+)$") or ""]
-if not write then report.usage_error("OUT: .toml, .yaml, .svg or .png expected, got '" .. options.OUT .. "'") end
+local suffix = options.OUT:match "%.(%w+)$"
+local write = writers[suffix or ""]
+if not write then
+  report.usage_error(("OUT: .toml, .yaml, .svg or .png expected, got '%s'%s"):format(options.OUT, suffix and "" or ", no suffix"))
+end
 local there = io.open(options.OUT, "r")
 if there then
   there:close()
   if not options.force then report.usage_error("'" .. options.OUT .. "' exists already (--force writes over it)") end
+end
+
+-- "start, 1 door, 13 places": what is in the world and in no map of cells, where doors are walls or nothing.
+local function lost(world)
+  local count, parts = {}, { world.start and "start" }
+  for _, thing in ipairs(world:things()) do count[thing.kind] = (count[thing.kind] or 0) + 1 end
+  for _, kind in ipairs { "door", "mover", "light", "place" } do
+    if count[kind] then parts[#parts + 1] = ("%d %s%s"):format(count[kind], kind, count[kind] > 1 and "s" or "") end
+  end
+  return table.concat(parts, ", ")
 end
 
 -- What went wrong in a call, without the names of the functions of this program.
@@ -42,4 +55,7 @@ local world, notes = checked(pcall(meander.world.import, options.IN, {
 }))
 for _, line in ipairs(notes) do io.stderr:write(line, "\n") end
 checked(pcall(write, world, options.OUT))
+if suffix == "yaml" and lost(world) ~= "" then
+  io.stderr:write("a ROS map has no room for names, nor for: ", lost(world), "\n")
+end
 print(tostring(world) .. " -> " .. options.OUT)
