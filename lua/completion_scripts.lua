@@ -2,7 +2,8 @@
 -- SPDX-FileCopyrightText: the meander authors
 -- Completion scripts for bash, zsh and fish of a program that is described as
 --   { options = OPTIONS, commands = { { name =, text =, options = OPTIONS, words = { ... } or nil for files }, ... } }
--- where OPTIONS is a list of { "-s", "--long", text =, value = "DIR" or nil, kind = "folder", "file" or "text" }.
+-- where OPTIONS is a list of { "-s", "--long", text =, value = "DIR" or nil, kind = "folder", "file", "module" or "text",
+-- words = what the value may be, or nil }. Files that are not here may also be in the folder `data` of the program.
 local scripts = {}
 
 local function each(list, write)
@@ -33,10 +34,34 @@ _meander_files() {
     folder) mapfile -t COMPREPLY < <(compgen -d -- "$cur") ;;
     file) mapfile -t COMPREPLY < <(compgen -f -- "$cur") ;;
     script) mapfile -t COMPREPLY < <(_meander_words "$2"; compgen -d -- "$cur"; compgen -f -X '!*.lua' -- "$cur") ;;
+    module) mapfile -t COMPREPLY < <(compgen -f -X '!*.lua' -- "$cur") && COMPREPLY=("${COMPREPLY[@]%.lua}") ;;
+  esac
+  case ${#COMPREPLY[@]},$1 in
+    0,file | 0,script) mapfile -t COMPREPLY < <(_meander_shipped "$1") ;;
   esac
 }
 
-_meander_words() { compgen -W "$1" -- "$cur"; }
+# Files that came with the program: they are found without their folder.
+_meander_shipped() {
+  local name
+  cd -- @data@ 2> /dev/null && compgen -f -- "$cur" | while IFS= read -r name; do
+    if [ -d "$name" ]; then
+      printf '%s/\n' "$name"
+    elif [ "$1" = file ] || [ "${name%.lua}" != "$name" ]; then
+      printf '%s\n' "$name"
+    fi
+  done
+}
+
+# Words; bash takes one with a colon for several.
+_meander_words() {
+  local before=${COMP_LINE:0:COMP_POINT}
+  before=${before##* }
+  case $before in
+    *:*) compgen -W "$1" -- "$before" | while IFS= read -r before; do printf '%s\n' "${before##*:}"; done ;;
+    *) compgen -W "$1" -- "$cur" ;;
+  esac
+}
 
 # The value of option $1; fails where it takes none.
 _meander_value() {
@@ -74,23 +99,28 @@ _meander() {
 complete -F _meander meander
 ]]
 
-local bash_kinds = { folder = "_meander_files folder", file = "_meander_files file", text = ":" }
+local bash_kinds = {
+  folder = "_meander_files folder", file = "_meander_files file", module = "_meander_files module", text = ":",
+}
+local bash_words = "mapfile -t COMPREPLY < <(_meander_words '%s')"
+
+local function shell_quoted(text) return "'" .. text:gsub("'", "'\\''") .. "'" end
 
 local function bash_values(options, indent)
   return table.concat(each(options, function(option)
     if not option.value then return nil end
-    return indent .. table.concat(option, "|") .. ") " .. bash_kinds[option.kind] .. " ;;\n"
+    local completed = option.words and bash_words:format(table.concat(option.words, " ")) or bash_kinds[option.kind]
+    return indent .. table.concat(option, "|") .. ") " .. completed .. " ;;\n"
   end))
 end
 
 local function bash_block(command)
   local values = bash_values(command.options, "        ")
-  local words = "mapfile -t COMPREPLY < <(_meander_words '%s')"
-  local rest = command.words and words:format(table.concat(command.words, " ")) or "_meander_files file"
+  local rest = command.words and bash_words:format(table.concat(command.words, " ")) or "_meander_files file"
   return ("    %s)\n"):format(command.name)
     .. ("      case $prev in\n%s        *)\n"):format(values)
     .. ("          case $cur in\n            -*) %s ;;\n            *) %s ;;\n          esac ;;\n"):format(
-      words:format(table.concat(names(command.options), " ")), rest)
+      bash_words:format(table.concat(names(command.options), " ")), rest)
     .. "      esac ;;\n"
 end
 
@@ -101,6 +131,7 @@ function scripts.bash(program)
     options = table.concat(names(program.options), " "),
     commands = table.concat(each(program.commands, function(command) return command.name end), " "),
     blocks = table.concat(each(program.commands, bash_block)),
+    data = shell_quoted(program.data),
   })
 end
 
@@ -131,13 +162,14 @@ _meander() {
 if [ "$funcstack[1]" = _meander ]; then _meander "$@"; else compdef _meander meander; fi
 ]]
 
-local zsh_kinds = { folder = "_files -/", file = "_files", text = "" }
+local zsh_kinds = { folder = "_files -/", file = "_files", module = "_files", text = "" }
 
 local function zsh_text(text) return (text:gsub("'", "'\\''"):gsub("([%[%]:])", "\\%1")) end
 
 local function zsh_options(options, indent)
   return table.concat(each(options, function(option)
-    local value = option.value and (":%s:%s"):format(option.value, zsh_kinds[option.kind]) or ""
+    local action = option.words and "(" .. table.concat(option.words, " ") .. ")" or zsh_kinds[option.kind]
+    local value = option.value and (":%s:%s"):format(option.value, action) or ""
     local lines = each(option, function(name)
       local assigned = option.value and name:find "^%-%-" and "=" or ""
       local others = #option > 1 and "(" .. table.concat(option, " ") .. ")" or ""
@@ -149,7 +181,7 @@ local function zsh_options(options, indent)
 end
 
 local function zsh_block(command)
-  local rest = command.words and ("'1:%s:(%s)'"):format(command.name, table.concat(command.words, " ")) or "'*:file:_files'"
+  local rest = command.words and ("'1:%s:(%s)'"):format(command.name, table.concat(command.words, " "):gsub(":", "\\:")) or "'*:file:_files'"
   return ("        %s) _arguments \\\n%s            %s && ret=0 ;;\n"):format(
     command.name, zsh_options(command.options, "            "), rest)
 end
@@ -171,15 +203,16 @@ local fish_template = [[
 complete -c meander -n __fish_use_subcommand -f -k -a '(__fish_complete_suffix .lua)'
 ]]
 
-local fish_kinds = { folder = " -x -a '(__fish_complete_directories)'", file = " -r -F", text = " -x" }
+local fish_kinds = { folder = " -x -a '(__fish_complete_directories)'", file = " -r -F", module = " -r -F", text = " -x" }
 
 local function fish_quoted(text) return "'" .. text:gsub("([\\'])", "\\%1") .. "'" end
 
 local function fish_options(options, condition)
   return table.concat(each(options, function(option)
     local flags = each(option, function(name) return name:find "^%-%-" and "-l " .. name:sub(3) or "-s " .. name:sub(2) end)
+    local value = option.words and (" -x -a '%s'"):format(table.concat(option.words, " ")) or fish_kinds[option.kind]
     return ("complete -c meander -n %s %s%s -d %s\n"):format(
-      condition, table.concat(flags, " "), option.value and fish_kinds[option.kind] or "", fish_quoted(option.text))
+      condition, table.concat(flags, " "), option.value and value or "", fish_quoted(option.text))
   end))
 end
 

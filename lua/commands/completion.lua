@@ -1,29 +1,46 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- SPDX-FileCopyrightText: the meander authors
 -- meander completion bash|zsh|fish: what the program and its commands say in --help, as a completion script.
-local report = require "meander.report"
 local shells = require "meander.completion_scripts"
 
 local options = require "meander.arguments" {
   about = "prints what a shell needs to complete the command line of meander; for this session:\n"
     .. '  bash: eval "$(meander completion bash)"     zsh: eval "$(meander completion zsh)"     fish: meander completion fish | source',
-  { "SHELL", help = "bash, zsh or fish" },
+  { "SHELL", values = { "bash", "zsh", "fish" }, help = "of the script" },
 }
-
 local script = shells[options.SHELL]
-if not script then report.usage_error("SHELL: bash, zsh or fish expected, got '" .. options.SHELL .. "'") end
 
 -- The lines that this very program writes. The parent of the shell that popen starts is the program.
-local function help(command)
-  local pipe <close> = assert(io.popen("exec /proc/$PPID/exe " .. command .. " --help 2>&1"))
+local function output(command)
+  local pipe <close> = assert(io.popen("exec /proc/$PPID/exe " .. command .. " 2>&1"))
   return pipe:read "a"
 end
+local function help(command) return output(command .. " --help") end
 
--- What completes a value: folders, files, or nothing.
-local function kind_of(name, placeholder)
-  if placeholder == "DIR" or name:find "folder$" then return "folder" end
-  if placeholder == "FILE" or placeholder == "PATH" then return "file" end
-  return "text"
+-- What completes a value: folders, files, modules, or nothing.
+local kinds = { DIR = "folder", FILE = "file", PATH = "file", MODULE = "module" }
+local function kind_of(name, placeholder) return name:find "folder$" and "folder" or kinds[placeholder] or "text" end
+
+-- The words of a text that ends as in "cells of a map: auto, free or occupied"; nil for others.
+local function listed(text)
+  local first, last = text:match "^.*: ([%w_, ]+) or ([%w_]+)$"
+  if not first then return nil end
+  local words = {}
+  for word in (first .. ", " .. last):gmatch "[^, ]+" do words[#words + 1] = word end
+  return words
+end
+
+-- What `meander doc NAME` takes: the headings of the reference, those of modules also in short.
+local function documented_names()
+  local names, known = {}, {}
+  local function add(name)
+    if name and not known[name] then names[#names + 1], known[name] = name, true end
+  end
+  for name in output("doc --markdown"):gmatch "\n##+ (%S+)" do
+    add(name)
+    add(name:match "^meander%.(.+)")
+  end
+  return names
 end
 
 -- Options stand as "  -h,--help  text", "  --seed N  text" or "  --seed INT=7", with the text perhaps in the next line.
@@ -35,6 +52,7 @@ local function options_in(text)
     right = right or text:match("^\n%s+([^\n]*)", following) or ""
     local names, value = left:match "^(%S+)%s?(%S*)"
     local option = { text = right:gsub("%s*%[[^%[%]]*%]$", ""), repeats = left:find("...", 1, true) ~= nil }
+    option.words = listed(option.text)
     option.text = option.text:match "^[^;]*"
     for name in names:gmatch "[^,]+" do option[#option + 1] = name end
     option.value = value:match "^%w+"
@@ -48,9 +66,9 @@ end
 local main = "\n" .. help ""
 local commands = {}
 for name, arguments, text in main:gmatch "\n  meander (%l+) ([^\n]-)  +([^\n]*)" do
-  local words = { SHELL = { "bash", "zsh", "fish" }, ["[NAME]"] = {} }
+  local words = { SHELL = { "bash", "zsh", "fish" }, ["[NAME]"] = arguments == "[NAME]" and documented_names() }
   commands[#commands + 1] = {
     name = name, text = text, options = options_in("\n" .. help(name)), words = words[arguments],
   }
 end
-io.write(script { options = options_in(main), commands = commands })
+io.write(script { options = options_in(main), commands = commands, data = meander.data_folder() or "" })

@@ -168,5 +168,9 @@ TEST_F(WorldScript, ShowsAPicture) {
   EXPECT_NE(shown.find('#'), std::string::npos) << shown;
 }
 
+TEST_F(WorldScript, ShippedWorldsHaveAFolder) {
+  EXPECT_EQ(run("return meander.world.open(meander.data_folder() .. '/worlds/office.toml').title"), "office");
+}
+
 }  // namespace
 }  // namespace meander::script
