@@ -16,11 +16,22 @@ local function copy(source, names)
   return part
 end
 
+-- What a submission looks for in vain is told by name, and what there is.
+local function explain(environment)
+  local names = {}
+  for name in pairs(environment) do names[#names + 1] = name end
+  table.sort(names)
+  return setmetatable(environment, { __index = function(_, name)
+    if rawget(_G, name) == nil then return nil end
+    error(("no '%s' here; submissions may use: %s"):format(name, table.concat(names, ", ")), 2)
+  end })
+end
+
 --- The function(observation, subgoal) that the file returns, loaded anew: two calls share nothing.
 return function(path)
   local environment = copy(_G, words)
   environment.math, environment.table = copy(math, mathematics), copy(table, tables)
-  local chunk, problem = loadfile(path, "t", environment)
+  local chunk, problem = loadfile(path, "t", explain(environment))
   if not chunk then error(problem, 0) end
   local navigator = chunk()
   if type(navigator) ~= "function" then
