@@ -4,7 +4,11 @@
 -- and keys in a fixed order; a table inside itself is named, not followed.
 local pretty = {}
 
-local limits = { depth = 4, items = 40, width = 80, text = 200 }
+-- A script may take away what it does not use itself.
+local getmetatable, ipairs, math, next, rawget, rawlen = getmetatable, ipairs, math, next, rawget, rawlen
+local table, tostring, type, utf8, debug = table, tostring, type, utf8, debug
+
+local limits = { depth = 4, items = 40, width = 80, row = 10, text = 200 }
 
 local keywords = {}
 for word in ("and break do else elseif end false for function goto if in local nil not or repeat return then true until while")
@@ -82,6 +86,26 @@ local function entries(t, state, depth)
   return texts
 end
 
+-- The numbers that a list begins with stand side by side, everything else has a line of its own.
+local function lines_of(texts, numbers, width)
+  local lines, count = {}, 0
+  for i, text in ipairs(texts) do
+    local line = i <= numbers and count < limits.row and lines[#lines]
+    if line and #line + #text + 3 <= width then
+      lines[#lines], count = line .. ", " .. text, count + 1
+    else
+      lines[#lines + 1], count = text, 1
+    end
+  end
+  return lines
+end
+
+local function leading_numbers(t)
+  local count = 0
+  while count < limits.items and math.type(rawget(t, count + 1)) do count = count + 1 end
+  return count
+end
+
 local function table_text(t, state, depth)
   if next(t) == nil then return "{}" end
   if state[t] then return "{ (this table again) }" end
@@ -92,7 +116,8 @@ local function table_text(t, state, depth)
   local line = "{ " .. table.concat(texts, ", ") .. " }"
   if utf8.len(line, 1, -1, true) and #line + 2 * depth <= limits.width and not line:find("\n") then return line end
   local margin = ("  "):rep(depth + 1)
-  return "{\n" .. margin .. table.concat(texts, ",\n" .. margin) .. "\n" .. ("  "):rep(depth) .. "}"
+  local lines = lines_of(texts, leading_numbers(t), limits.width - #margin)
+  return "{\n" .. margin .. table.concat(lines, ",\n" .. margin) .. "\n" .. ("  "):rep(depth) .. "}"
 end
 
 function show(value, state, depth)
@@ -106,6 +131,12 @@ end
 
 -- One value. Texts are quoted.
 function pretty.text(value) return show(value, {}, 0) end
+
+-- One value in one line that is not long, without what lies deep inside.
+function pretty.brief(value)
+  local line = show(value, {}, limits.depth - 2):gsub("\n%s*", " ")
+  return #line > limits.width and beginning(line, limits.width) .. " ..." or line
+end
 
 -- What the prompt writes for the values of an expression. A text of several lines stands as it is.
 function pretty.echo(...)

@@ -14,6 +14,7 @@
 #include "script/kit_module.hpp"
 #include "script/lua_interrupt.hpp"
 #include "script/lua_setup.hpp"
+#include "script/pretty.hpp"
 #include "script/sandbox_libraries.hpp"
 #include "script/sandbox_state.hpp"
 
@@ -40,6 +41,7 @@ int set_up(lua_State* L) {
   seed_library_random(L);
   if (session(L).sandbox) keep_safe_libraries(L);
   bind_all(L);
+  open_pretty(L);
   open_strict(L);
   set_resting_hook(L);
   return 0;
@@ -86,11 +88,7 @@ int echo_values(lua_State* L) {
     lua_setglobal(L, "_");
   }
   if (push_record_line(L)) return 1;
-  lua_getglobal(L, "require");
-  lua_pushliteral(L, "meander.pretty");
-  lua_call(L, 1, 1);
-  lua_getfield(L, -1, "echo");
-  lua_replace(L, -2);
+  if (!push_pretty(L, "echo")) return luaL_error(L, "meander.pretty.echo is gone");
   lua_insert(L, 1);
   lua_call(L, count, 1);
   return 1;

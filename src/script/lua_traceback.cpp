@@ -9,6 +9,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "script/pretty.hpp"
+
 namespace meander::script {
 namespace {
 
@@ -74,7 +76,17 @@ std::vector<std::string> script_frames(lua_State* L) {
   return frames;
 }
 
-/// Upvalue 1 is the ErrorReport to fill. Turns the error value into its text: it need not be a string.
+/// Argument 1 is an error value. No part of the message handler: a large table takes its time, and no hook would stop it
+/// there.
+int table_text(lua_State* L) {
+  if (!push_pretty(L, "brief")) return lua_pushliteral(L, "error value is a table, not a text"), 1;
+  lua_pushvalue(L, 1);
+  lua_call(L, 1, 1);
+  lua_pushfstring(L, "error value is a table: %s", lua_tostring(L, -1));
+  return 1;
+}
+
+/// Upvalue 1 is the ErrorReport to fill. Turns the error value into its text, tables excepted: it need not be a string.
 int on_error(lua_State* L) {
   auto& report = *static_cast<ErrorReport*>(lua_touserdata(L, lua_upvalueindex(1)));
   report.trace = script_frames(L);
@@ -83,6 +95,8 @@ int on_error(lua_State* L) {
     luaL_tolstring(L, 1, nullptr);
   else if (lua_isnil(L, 1))
     lua_pushliteral(L, "error without a message");
+  else if (lua_istable(L, 1))
+    lua_settop(L, 1);
   else
     lua_pushfstring(L, "error value is a %s, not a text", luaL_typename(L, 1));
   return 1;
@@ -121,6 +135,11 @@ bool call_reporting(lua_State* L, int count, ErrorReport& report) {
   lua_pushcclosure(L, on_error, 1);
   lua_insert(L, base);
   const bool done = lua_pcall(L, count, LUA_MULTRET, base) == LUA_OK;
+  if (!done && lua_istable(L, -1)) {
+    lua_pushcfunction(L, table_text);
+    lua_insert(L, -2);
+    lua_pcall(L, 1, 1, 0);  // an interrupt is a message too
+  }
   if (!done) report.message = pop_message(L);
   lua_remove(L, base);
   return done;

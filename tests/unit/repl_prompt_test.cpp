@@ -31,6 +31,18 @@ TEST_P(Prompt, EchoesValues) {
   EXPECT_EQ(t.enter("-- a comment"), "");
 }
 
+TEST_P(Prompt, EchoesListsOfNumbersInRows) {
+  EXPECT_EQ(t.enter("t = { x = 'a text' } for i = 1, 25 do t[i] = i end return t"),
+            "{\r\n  1, 2, 3, 4, 5, 6, 7, 8, 9, 10,\r\n  11, 12, 13, 14, 15, 16, 17, 18, 19, 20,\r\n"
+            "  21, 22, 23, 24, 25,\r\n  x = \"a text\"\r\n}\r\n");
+}
+
+TEST_P(Prompt, EchoesWhateverAScriptTakesAway) {
+  EXPECT_EQ(t.enter("tostring, type, require, next, table = nil"), "");
+  EXPECT_EQ(t.enter("{ a = 1, 2 }"), "{ 2, a = 1 }\r\n");
+  EXPECT_EQ(t.enter("error { a = 1 }"), "error value is a table: { a = 1 }\r\n");
+}
+
 TEST_P(Prompt, ContinuesUntilComplete) {
   EXPECT_EQ(t.enter("for i = 1, 2 do"), ">>");
   EXPECT_EQ(t.enter("  print(i)"), ">>");
