@@ -136,14 +136,13 @@ void bind_plots(Module& module) {
 void bind_render(lua_State* L) {
   Module module(L, "meander.render", "Pictures: files, texts, plots, moving ones.");
   module
-      .function<&save>(Doc{.name = "save",
-                           .text = "Writes a picture of anything that show() draws.",
-                           .args = {{"object", "what to draw"},
-                                    {"path", "file name: .svg or .png"},
-                                    {"options", "size of a .png, layers"}},
-                           .errors = "something that has no picture; another suffix; the file cannot be written",
-                           .example = EXAMPLE_SIM "meander.render.save(s, os.tmpname() .. '.png', { width = 400, hide "
-                                                  "= { 'cone', 'label' } })"})
+      .function<&save>(Doc{
+          .name = "save",
+          .text = "Writes a picture of anything that show() draws.",
+          .args = {{"object", "what to draw"}, {"path", "a .svg or .png file"}, {"options", "size of a .png, layers"}},
+          .errors = "something that has no picture; another suffix; the file cannot be written",
+          .example = EXAMPLE_SIM "meander.render.save(s, os.tmpname() .. '.png', { width = 400, hide "
+                                 "= { 'cone', 'label' } })"})
       .function<&text>(Doc{.name = "text",
                            .text = "The picture as lines of text, for logs and tests.",
                            .args = {{"object", "what to draw"}, {"options", "size, kind of characters, layers"}},

@@ -138,7 +138,7 @@ void bind_run(lua_State* L) {
                             .example = EXAMPLE_RUN "print(run:to_json())"})
       .method<&save>(Doc{.name = "save",
                          .text = "Writes a picture (.svg, .png), a table (.csv) or the record (.jsonl).",
-                         .args = {{"path", "file name; the suffix says what is written"}},
+                         .args = {{"path", "the suffix says what is written"}},
                          .errors = "unknown suffix; the file cannot be written",
                          .example = EXAMPLE_RUN "run:save(os.tmpname() .. '.csv')"})
       .text<&text>()

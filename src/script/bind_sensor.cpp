@@ -44,7 +44,7 @@ void bind_reading(lua_State* L) {
                            .example = EXAMPLE_SCAN "print(#r:points())"})
       .method<&save>(Doc{.name = "save",
                          .text = "Writes a picture (.svg, .png).",
-                         .args = {{"path", "file name; the suffix says what is written"}},
+                         .args = {{"path", "the suffix says what is written"}},
                          .errors = "unknown suffix; the file cannot be written",
                          .example = EXAMPLE_SCAN "r:save(os.tmpname() .. '.svg')"})
       .property<&ranges>(PropertyDoc{.name = "ranges",

@@ -130,7 +130,7 @@ void bind_sim(lua_State* L) {
                          .example = EXAMPLE_SIM "print(s:hash())"})
       .method<&save>(Doc{.name = "save",
                          .text = "Writes a picture of this moment (.svg, .png).",
-                         .args = {{"path", "file name; the suffix says what is written"}},
+                         .args = {{"path", "the suffix says what is written"}},
                          .errors = "unknown suffix; the file cannot be written",
                          .example = EXAMPLE_SIM "s:save(os.tmpname() .. '.svg')"})
       .text<&text>()

@@ -42,7 +42,7 @@ std::vector<Thing> of_kind(const WorldPtr& world) {
   return result;
 }
 
-Thing thing(const WorldPtr& world, const std::string& name) { return {world, world->find(name)}; }
+Thing thing(const WorldPtr& world, const ThingRef& name) { return {world, resolve(*world, name)}; }
 ItemTable get(const World& world, const ThingRef& thing) { return {world.item(resolve(world, thing))}; }
 
 WorldPtr fork(const World& world) { return std::make_shared<World>(world); }
@@ -126,7 +126,7 @@ void bind_reading(Type<World>& type) {
                          .example = "print(meander.world.new {}:hash())"})
       .method<&save>(Doc{.name = "save",
                          .text = "Writes the world (.toml) or its picture (.svg, .png), at once or not at all.",
-                         .args = {{"path", "file name; the suffix says what is written"}},
+                         .args = {{"path", "the suffix says what is written"}},
                          .errors = "unknown suffix; the file cannot be written",
                          .example = "meander.world.new {}:save(os.tmpname() .. '.toml')"});
 }

@@ -92,7 +92,7 @@ void bind_world_module(lua_State* L) {
                            .example = "w = meander.world.new { title = 'yard', bounds = {{0, 0}, {12, 9}} }"})
       .function<&open>(Doc{.name = "open",
                            .text = "Reads a world file.",
-                           .args = {{"path", "name of a .toml file"}},
+                           .args = {{"path", "a .toml file"}},
                            .returns = "the world",
                            .errors = "no such file; what is wrong in it, with line and key",
                            .example = "w = meander.world.open 'worlds/office.toml'"})
@@ -106,7 +106,8 @@ void bind_world_module(lua_State* L) {
           Doc{.name = "import",
               .text = "Reads other people's maps by suffix: world files, ROS maps (.yaml), pictures of floor "
                       "plans (.png, .pgm, .jpg), BARN tables (.csv).",
-              .args = {{"path", "file name"}, {"options", "how to read it"}},
+              .args = {{"path", "a .toml, .yaml, .yml, .png, .pgm, .jpg, .jpeg, .bmp, .tif, .tiff or .csv file"},
+                       {"options", "how to read it"}},
               .returns = "the world, and a list of lines that say what was done",
               .errors = "no such file; unknown suffix; what is wrong in it",
               .example = "w, report = meander.world.import('worlds/office.toml')"});
@@ -114,7 +115,7 @@ void bind_world_module(lua_State* L) {
       .method<&export_ros>(
           Doc{.name = "export_ros",
               .text = "Writes a ROS map: a .yaml file and a .pgm picture beside it.",
-              .args = {{"path", "name of the .yaml file"}, {"options", "size of the cells"}},
+              .args = {{"path", "the .yaml file"}, {"options", "size of the cells"}},
               .errors = "the files cannot be written",
               .example = "meander.world.new {}:export_ros(os.tmpname() .. '.yaml', { resolution = 0.1 })"})
       .method<&set>(Doc{.name = "set",

@@ -11,7 +11,8 @@ namespace meander::script {
 std::string path_to_read(lua_State* L, const std::string& name);
 std::string path_to_write(lua_State* L, const std::string& name);
 
-/// Parameter of a bound function: the name of a file that it reads.
+/// Parameter of a bound function: the name of a file that it reads. Completion offers those with the suffixes that the
+/// argument's text tells, all where it tells none.
 struct InputFile {
   std::string path;
 };
@@ -23,12 +24,12 @@ struct OutputFile {
 template <>
 struct Lua<InputFile> {
   static InputFile read(lua_State* L, int index, const Path& path);
-  static std::string type() { return Lua<std::string>::type(); }
+  static std::string type() { return "file name"; }
 };
 template <>
 struct Lua<OutputFile> {
   static OutputFile read(lua_State* L, int index, const Path& path);
-  static std::string type() { return Lua<std::string>::type(); }
+  static std::string type() { return "file name"; }
 };
 
 }  // namespace meander::script

@@ -12,11 +12,12 @@ namespace {
 using Texts = std::vector<std::string_view>;
 
 /// Words whose annotation is another. A place is given by its name or its handle.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kWords = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kWords = {{
     {"list of numbers", "number[]|numbers"},
     {"place", "string|thing"},
     {"pattern", "string"},
     {"path", "string"},
+    {"file name", "string"},
     {"text", "string"},
     {"table of functions", "table<string, function>"},
     {"{x, y}", "meander.point"},

@@ -124,9 +124,44 @@ TEST_F(CompletionTest, OffersNamesToHelp) {
   EXPECT_EQ(words("help('study.wil"), Words{"study.wilson"});
 }
 
+TEST_F(CompletionTest, OffersWhatTheWorldHasThatIsMeant) {
+  run("office = meander.world.open 'worlds/office.toml'  lab = meander.sim.new { world = office, seed = 7 }"
+      "office:add_disc { center = {2, 1.2}, radius = 0.1, name = 'kiosk' }");
+  EXPECT_EQ(words("lab:drive { subgoals = { 'ki"), Words{"kitchen"});
+  EXPECT_EQ(words("lab:drive { navigator = 'polar', subgoals = { 'hall', \"ki"), Words{"kitchen"});
+  EXPECT_EQ(words("lab:drive { pilots = { { subgoals = { {1, 2}, 'ki"), Words{"kitchen"});
+  EXPECT_EQ(words("watch(lab, { subgoals = { 'ki"), Words{"kitchen"});
+  EXPECT_EQ(words("sim.new { world = office, start = 'ki"), Words{"kitchen"});
+  EXPECT_EQ(words("sim.new { seed = 2, world = office, start = 'ki"), Words{"kitchen"});
+  EXPECT_EQ(words("office:thing 'ki"), (Words{"kiosk", "kitchen"}));
+  EXPECT_EQ(words("office:remove { 'crate', 'ki"), (Words{"kiosk", "kitchen"}));
+  EXPECT_EQ(words("office:move('kio"), Words{"kiosk"});
+  EXPECT_EQ(words("lab.world:move('kio"), Words{"kiosk"});
+  EXPECT_EQ(words("nobody:drive { subgoals = { 'ki"), Words{});
+  EXPECT_EQ(words("meander.world.new {}:remove 'ki"), Words{});
+}
+
+TEST_F(CompletionTest, OffersElementsOfLists) {
+  EXPECT_EQ(words("meander.render.save(s, 'a.svg', { hide = { 'cone', 'la"), Words{"label"});
+}
+
+TEST_F(CompletionTest, OffersOnlyFilesThatFit) {
+  run("office = meander.world.open 'worlds/office.toml'  lab = meander.sim.new { world = office, seed = 7 }");
+  EXPECT_EQ(words("world.open 'worlds/offi"), Words{"worlds/office.toml"});
+  EXPECT_TRUE(offers("world.open '", "worlds/"));
+  EXPECT_FALSE(offers("world.open '", "README.md"));
+  EXPECT_FALSE(offers("world.open '", ".ci/"));
+  EXPECT_TRUE(offers("world.open '.", ".ci/"));
+  EXPECT_FALSE(offers("world.import 'READ", "README.md"));
+  EXPECT_FALSE(lua.complete("world.open 'READ").file_name);
+  EXPECT_TRUE(lua.complete("office:save '").file_name) << "by suffix, which is free";
+  EXPECT_FALSE(lua.complete("lab:drive { subgoals = { 'READ").file_name) << "no file is wanted here";
+  EXPECT_FALSE(lua.complete("lab:drive { nonsense = 'READ").file_name);
+}
+
 TEST_F(CompletionTest, LeavesQuotesToFilesAndModules) {
   EXPECT_TRUE(lua.complete("x = 'wor").file_name);
-  EXPECT_TRUE(lua.complete("meander.world.open 'wor").file_name);
+  EXPECT_TRUE(lua.complete("dofile 'wor").file_name);
   EXPECT_FALSE(lua.complete("x = 'done' .. pri").file_name);
   EXPECT_EQ(words("require 'meander.js"), Words{"meander.json"});
   EXPECT_EQ(words("require('meander.js"), Words{"meander.json"});
