@@ -152,6 +152,14 @@ meander = {}
 ---@param path string the folder
 function meander.make_folder(path) end
 
+---The folder of the worlds and examples that came with the program; files that are not found here are looked for there.
+---
+---```lua
+---print(meander.data_folder())
+---```
+---@return string|nil # its path, nil when there is none
+function meander.data_folder() end
+
 ---The names of the things in the order they were added.
 ---
 ---```lua
@@ -193,7 +201,7 @@ function world:places() end
 ---```lua
 ---print(meander.world.open('worlds/office.toml'):thing 'hall')
 ---```
----@param name string its name
+---@param name thing|string its name
 ---@return thing # the thing
 function world:thing(name) end
 
@@ -259,7 +267,7 @@ function world:hash() end
 ---```lua
 ---meander.world.new {}:save(os.tmpname() .. '.toml')
 ---```
----@param path string file name; the suffix says what is written
+---@param path string the suffix says what is written
 function world:save(path) end
 
 ---@class world.add_wall.options
@@ -531,6 +539,8 @@ function world:close(door) end
 
 ---Takes back edits; a transaction is one step.
 ---
+---Fails on a negative number of steps.
+---
 ---```lua
 ---w = meander.world.new {}
 ---w:add_light { position = {1, 1} }
@@ -541,6 +551,8 @@ function world:close(door) end
 function world:undo(steps) end
 
 ---Does again what undo took back.
+---
+---Fails on a negative number of steps.
 ---
 ---```lua
 ---w = meander.world.new {}
@@ -590,7 +602,7 @@ function meander.world.new(options) end
 ---```lua
 ---w = meander.world.open 'worlds/office.toml'
 ---```
----@param path string name of a .toml file
+---@param path string a .toml file
 ---@return world # the world
 function meander.world.open(path) end
 
@@ -626,7 +638,7 @@ function meander.world.from_toml(text) end
 ---```lua
 ---w, report = meander.world.import('worlds/office.toml')
 ---```
----@param path string file name
+---@param path string a .toml, .yaml, .yml, .png, .pgm, .jpg, .jpeg, .bmp, .tif, .tiff or .csv file
 ---@param options? meander.world.import.options how to read it
 ---@return world # the world, and a list of lines that say what was done
 ---@return string[]
@@ -642,7 +654,7 @@ function meander.world.import(path, options) end
 ---```lua
 ---meander.world.new {}:export_ros(os.tmpname() .. '.yaml', { resolution = 0.1 })
 ---```
----@param path string name of the .yaml file
+---@param path string the .yaml file
 ---@param options? world.export_ros.options size of the cells
 function world:export_ros(path, options) end
 
@@ -1072,7 +1084,7 @@ function meander.polar.tangent_bug(options) end
 
 ---@class meander.polar.navigator.options.subgoal
 ---@field read_radius? number the direction is that of the most active unit this far from the centre [m]; 0.2 when left out
----@field hysteresis? number another direction wins only if its way is so much shorter [m]; 0.1 when left out
+---@field hysteresis? number another direction wins only if its way is so much shorter [m]; 0.5 when left out
 ---@field hysteresis_sectors? integer directions so few sectors apart are not another direction; 4 when left out
 
 ---@class meander.polar.navigator.options.control
@@ -1189,7 +1201,7 @@ meander.sim = {}
 ---@field sonar? meander.sonar_name|meander.sim.new.options.sonar model of the sonars, by name or in detail
 ---@field drift? meander.sim.new.options.drift errors of the odometry; none when left out
 ---@field start? meander.pose|string|thing where it starts; the world's start when left out [m, rad]
----@field robots? meander.sim.new.options.robots[] several robots instead of one, each with robot, sonar, drift, start
+---@field robots? meander.sim.new.options.robots[] several robots instead of one, each with a table of its own
 ---@field seed? integer seed of all random streams; 1 when left out
 ---@field period? number control cycle; 0: the platform's own [s]; 0 when left out
 ---@field period_jitter? number standard deviation of the control cycle, as a share of it; 0 when left out
@@ -1255,7 +1267,7 @@ function sim:hash() end
 ---s = meander.sim.new { world = meander.world.new { start = {2, 2, 0} } }
 ---s:save(os.tmpname() .. '.svg')
 ---```
----@param path string file name; the suffix says what is written
+---@param path string the suffix says what is written
 function sim:save(path) end
 
 ---@alias meander.navigator_name 'polar'|'potential_field'|'vfh_plus'|'dynamic_window'|'tangent_bug'
@@ -1348,7 +1360,7 @@ meander.render = {}
 ---meander.render.save(s, os.tmpname() .. '.png', { width = 400, hide = { 'cone', 'label' } })
 ---```
 ---@param object any what to draw
----@param path string file name: .svg or .png
+---@param path string a .svg or .png file
 ---@param options? meander.render.save.options size of a .png, layers
 function meander.render.save(object, path, options) end
 
@@ -1400,7 +1412,7 @@ function meander.render.animate(frame, options) end
 ---```lua
 ---show(meander.render.curve({3, 1, 2}, { y = 'error [m]' }))
 ---```
----@param values number[]|numbers a list or view of numbers
+---@param values number[]|numbers a list or view of numbers; gaps where they are not finite
 ---@param words? meander.render.curve.words what stands beside it
 ---@return picture # the picture, for show and save
 function meander.render.curve(values, words) end
@@ -1428,9 +1440,9 @@ function meander.render.histogram(values, options) end
 ---Fails on no finite number.
 ---
 ---```lua
----show(meander.render.heat_map(meander.matrix { {1, 2}, {3, 4} }))
+---show(meander.render.heat_map { {1, 2}, {3, 4} })
 ---```
----@param matrix matrix the numbers
+---@param matrix matrix|number[][] the numbers, or a list of rows of them
 ---@param words? meander.render.curve.words what stands beside it
 ---@return picture # the picture, for show and save
 function meander.render.heat_map(matrix, words) end
@@ -1479,7 +1491,7 @@ function run:to_json() end
 ---run = s:drive { navigator = 'potential_field', subgoals = { {4, 2} } }
 ---run:save(os.tmpname() .. '.csv')
 ---```
----@param path string file name; the suffix says what is written
+---@param path string the suffix says what is written
 function run:save(path) end
 
 ---Kinds of robots.
@@ -1521,7 +1533,7 @@ function reading:points() end
 ---r = meander.sensor.scan { world = meander.world.new { start = {2, 2, 0} } }
 ---r:save(os.tmpname() .. '.svg')
 ---```
----@param path string file name; the suffix says what is written
+---@param path string the suffix says what is written
 function reading:save(path) end
 
 ---Sensors: from the truth to readings.
@@ -1693,7 +1705,7 @@ function meander.study.bootstrap_median(values, options) end
 ---@return integer
 function meander.study.compare(a, b, options) end
 
----An angle given in degrees, in radians: heading = deg(30); math.deg goes the other way.
+---Radians from degrees: heading = deg(30). Angles are in radians everywhere; Lua's math.rad is the same.
 ---
 ---```lua
 ---print(deg(180))
@@ -1702,7 +1714,7 @@ function meander.study.compare(a, b, options) end
 ---@return number # the angle in radians
 function deg(angle) end
 
----An angle given in radians, in degrees: the reverse of deg, for printing; math.rad goes the other way.
+---Degrees from radians: rad(math.pi) is 180. For printing angles; Lua's math.deg is the same.
 ---
 ---```lua
 ---print(rad(math.pi))
@@ -1711,7 +1723,7 @@ function deg(angle) end
 ---@return number # the angle in degrees
 function rad(angle) end
 
----Draws in the terminal: a world, a sim, a run, a sonar reading, a picture; numbers as a curve, a matrix as a heat map.
+---Draws in the terminal: a world, a sim, a run, a sonar reading, a picture; numbers as a curve, a matrix or a list of rows as a heat map.
 ---
 ---Fails on something that has no picture.
 ---
