@@ -5,10 +5,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <limits>
 #include <string_view>
 #include <vector>
 
-#include "app/number_option.hpp"
 #include "base/names.hpp"
 
 namespace meander {
@@ -24,6 +25,22 @@ std::vector<std::string> option_names(const CLI::App& app) {
 }
 
 }  // namespace
+
+template <class T>
+WordCheck number_from(T least, T most, const char* unit) {
+  return [=](const std::string& word) -> std::string {
+    T value{};
+    const bool below = std::is_unsigned_v<T> && word.starts_with('-');  // the parser would wrap it round
+    if (!below && CLI::detail::lexical_cast(word, value) && value >= least && value <= most) return {};
+    const bool open = most == std::numeric_limits<T>::max();
+    return fmt::format("a {}number from {:g} {}{} expected, got '{}'", std::is_integral_v<T> ? "whole " : "",
+                       static_cast<double>(least), open ? "on" : fmt::format("to {:g}", static_cast<double>(most)),
+                       *unit ? fmt::format(" [{}]", unit) : "", word);
+  };
+}
+template WordCheck number_from(int, int, const char*);
+template WordCheck number_from(std::uint64_t, std::uint64_t, const char*);
+template WordCheck number_from(double, double, const char*);
 
 void add_sandbox_options(CLI::App& app, std::optional<script::SandboxOptions>& sandbox) {
   const auto wanted = [&sandbox]() -> script::SandboxOptions& { return sandbox ? *sandbox : sandbox.emplace(); };

@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "app/number_option.hpp"
 #include "app/options.hpp"
 #include "app/output.hpp"
 
