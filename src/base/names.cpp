@@ -33,9 +33,9 @@ std::optional<std::string> nearest_name(std::string_view name, const std::vector
   std::size_t least = kLongestCompared;
   for (const std::string& candidate : candidates) {
     if (candidate.size() < 2 || candidate.size() > kLongestCompared) continue;
+    const std::size_t distance = edit_distance(name, candidate);
     const bool begun = name.size() > 2 && candidate.starts_with(name);
-    const std::size_t distance = begun ? std::size_t{candidate != name} : edit_distance(name, candidate);
-    const bool near = distance <= std::max(name.size(), candidate.size()) / 3;
+    const bool near = begun || distance <= std::max(name.size(), candidate.size()) / 3;
     if (near && distance < least) least = distance, best = candidate;
   }
   return best;

@@ -28,7 +28,8 @@ TEST(Names, ShortWordsAreNearToFew) {
   EXPECT_EQ(nearest_name("ab", {"a", "xb"}), std::nullopt);
   EXPECT_EQ(nearest_name("ab", {"abc"}), "abc");
   EXPECT_EQ(nearest_name("goal", {"goal_1", "g"}), "goal_1");
-  EXPECT_EQ(nearest_name("crat", {"crates_left", "cat"}), "crates_left");
+  EXPECT_EQ(nearest_name("crat", {"crates_left", "door"}), "crates_left");
+  EXPECT_EQ(nearest_name("hal", {"hall_south_1", "hall"}), "hall");
   EXPECT_EQ(nearest_name("nomod", {"json", "report"}), std::nullopt);
 }
 
