@@ -149,12 +149,14 @@ std::string help_text(const Docs& docs, const Record& record, std::size_t width)
 }
 
 std::string overview_text(const Docs& docs) {
-  std::vector<const Record*> functions, modules, types;
+  std::vector<const Record*> functions, of_meander, modules, types;
   for (const Record& record : docs.all()) {
     if (record.kind == DocKind::module) modules.push_back(&record);
     if (record.kind == DocKind::type) types.push_back(&record);
     if (record.kind == DocKind::function && record.owner.empty()) functions.push_back(&record);
+    if (record.kind == DocKind::function && record.owner == "meander") of_meander.push_back(&record);
   }
+  functions.insert(functions.end(), of_meander.begin(), of_meander.end());
   return "functions\n" + list_text(functions) + "modules\n" + list_text(modules) + "objects\n" + list_text(types) +
          "help(x) tells more about a function, module, object or name: help 'sim:drive'.\n"
          "apropos(word) finds names. The folder examples has whole scripts.\n"

@@ -106,7 +106,7 @@ TEST_F(Api, HelpFindsEverythingByNameAndByValue) {
     EXPECT_NE(written_.find(start), std::string::npos) << start << written_;
   written_.clear();
   EXPECT_EQ(run("help()"), "");
-  for (const char* part : {"functions\n", "modules\n", "objects\n", "meander.sim", "  sim "})
+  for (const char* part : {"functions\n", "  meander.matrix(rows)", "modules\n", "objects\n", "meander.sim", "  sim "})
     EXPECT_NE(written_.find(part), std::string::npos) << part << written_;
   EXPECT_EQ(run("help 'sim:drvie'"),
             "error: test:1: help: nothing is known about 'sim:drvie'; did you mean 'sim:drive'?");
