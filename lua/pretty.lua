@@ -123,6 +123,7 @@ end
 function show(value, state, depth)
   if type(value) == "string" then return quoted(value) end
   if type(value) == "function" then return function_text(value) end
+  if value ~= value then return "nan" end  -- whose sign means nothing
   if type(value) ~= "table" then return harmless(tostring(value)) end
   local meta = getmetatable(value)
   if type(meta) == "table" and rawget(meta, "__tostring") then return harmless(tostring(value)) end

@@ -96,4 +96,10 @@ describe("every matcher", function()
       expect(stubs):contains("---@field " .. name .. " ")
     end
   end)
+
+  it("tell nan without a sign", function()
+    for _, nan in ipairs { 0 / 0, -(0 / 0) } do
+      expect(function() expect(nan):equals(1) end):throws "expected 1, got nan"
+    end
+  end)
 end)
