@@ -109,7 +109,7 @@ local list = {
   { "u_trap", shipped("u_trap", { "goal" }, 0.1, 180), "a U of 1.0 x 1.4 m within the sensing scope ([LM99] Figure 8 left)" },
   { "l_corner", shipped("l_corner", { "goal" }, 0.1, 180), "an L across the way ([LM99] Figure 4)" },
   { "office", shipped("office", rooms, 0.25, 600, { hand_over = 0.4 }), "13 subgoals through an office ([LM99] Figure 9)" },
-  { "doors", shipped("doors", doors, 0.15, 300, { hand_over = 0.3 }), "three doorways of 0.9 m and a corridor" },
+  { "doors", shipped("doors", doors, 0.15, 300), "three doorways of 0.9 m and a corridor" },
   { "clutter_10", clutter(0.10, 0.20, small), "clutter 10 %, a route 0.20 m wider than the robot on either side ([LM99] Figure 8 right)" },
   { "clutter_10_tight", clutter(0.10, 0.10, small), "the same, 0.10 m" },
   { "clutter_20", clutter(0.20, 0.20, large), "clutter 20 %, large objects, 0.20 m" },

@@ -48,7 +48,8 @@ void Seat::record(const Sim& sim, const DriveOptions& options) {
   metrics_.add(state, sim.time(), sim.observation(robot_).period);
   hash_.add(sim.hash());
   ++cycles_;
-  const bool trapped = last_.status == NavigatorStatus::trapped;
+  // Navigators that go on freeing themselves give a reason while they drive.
+  const bool trapped = last_.status == NavigatorStatus::trapped || !last_.reason.empty();
   run_.trapped += trapped && !trapped_;
   trapped_ = trapped;
   if (options.record_every > 0 && cycles_ % options.record_every == 0) run_.steps.push_back(run_step(sim, state));

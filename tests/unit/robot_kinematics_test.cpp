@@ -135,7 +135,7 @@ TEST(PlatformTest, PresetsAreValidAndUnknownNamesAreListed) {
     platform("nomad");
     FAIL();
   } catch (const ArgumentError& e) {
-    EXPECT_STREQ(e.what(), "unknown platform 'nomad'; known: nomad200, scout");
+    EXPECT_STREQ(e.what(), "unknown platform 'nomad'; known: nomad200, scout; did you mean 'nomad200'?");
   }
 }
 

@@ -39,7 +39,9 @@ TEST_F(Help, BreaksLinesButNeitherWordsNorExamples) {
     };
     EXPECT_EQ(without_blanks(broken), without_blanks(whole));
     const std::size_t example = whole.find("\n  example\n");
-    if (example != std::string::npos) EXPECT_TRUE(broken.ends_with(whole.substr(example)));
+    if (example != std::string::npos) {
+      EXPECT_TRUE(broken.ends_with(whole.substr(example)));
+    }
   }
 }
 
