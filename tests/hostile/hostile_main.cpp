@@ -7,6 +7,7 @@
 //   -- output: one for stdout
 //   -- options: further options of the program
 //   -- prompt: the script is typed at the prompt
+//   -- sanitizer: no (native memory is not counted there, or it takes too long)
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
@@ -58,12 +59,13 @@ struct Wanted {
   std::string error, output;
   std::vector<std::string> options;
   bool prompt = false;
+  bool sanitizer = true;  ///< also in builds with one
 };
 
 Wanted wanted_by(const std::string& script) {
   Wanted wanted;
   std::istringstream lines(script);
-  const std::regex form("-- (exit|error|output|options|prompt):? ?(.*)");
+  const std::regex form("-- (exit|error|output|options|prompt|sanitizer):? ?(.*)");
   std::smatch found;
   for (std::string line; std::getline(lines, line) && line.starts_with("--");) {
     if (!std::regex_match(line, found, form)) continue;
@@ -72,6 +74,7 @@ Wanted wanted_by(const std::string& script) {
     if (found[1] == "error") wanted.error = value;
     if (found[1] == "output") wanted.output = value;
     if (found[1] == "prompt") wanted.prompt = true;
+    if (found[1] == "sanitizer") wanted.sanitizer = false;
     std::istringstream words(found[1] == "options" ? value : "");
     for (std::string word; words >> word;) wanted.options.push_back(word);
   }
@@ -119,6 +122,7 @@ struct End {
   redirect(place.folder.string() + ".out", O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
   redirect(place.folder.string() + ".err", O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
   if (chdir(place.box.c_str()) != 0) _exit(99);
+  if (kSanitized) setenv("ASAN_OPTIONS", "detect_leaks=0", 1);  // it looks for leaks in /proc, which is closed
   setenv("MEANDER_SECRET", kSecret, 1);
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -208,6 +212,7 @@ int main(int argc, char** argv) {
   const std::string program = fs::absolute(argv[1]), source = fs::absolute(argv[2]);
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   const Wanted wanted = wanted_by(content(source));
+  if (kSanitized && !wanted.sanitizer) return fmt::print("not under the sanitizer\n"), 0;
   const Surroundings place(fs::path(source).stem());
   fs::copy_file(source, place.box / "hostile.lua");
   std::vector<std::string> words = {program, fmt::format("--sandbox-seconds={}", kSeconds),

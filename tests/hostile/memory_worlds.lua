@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- SPDX-FileCopyrightText: the meander authors
 -- Keeps native objects that Lua's own count does not see.
+-- sanitizer: no
 -- exit: 1
 -- error: not enough memory
 local corners, kept = {}, {}

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- SPDX-FileCopyrightText: the meander authors
 -- Workers take together what one alone may not.
+-- sanitizer: no
 -- exit: 0
 -- output: ^not enough memory$
 local results = meander.study.trials { count = 8, jobs = 8, trial = function()
