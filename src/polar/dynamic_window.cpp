@@ -26,7 +26,7 @@ class DynamicWindow {
       : platform_(platform),
         options_(options),
         memory_(platform, options.memory),
-        trap_({.patience = options.patience, .progress = options.progress, .escapes = 0}) {}
+        trap_(options.patience, options.progress) {}
 
   void reset() { *this = DynamicWindow(platform_, options_); }
 
@@ -41,7 +41,7 @@ class DynamicWindow {
     const Task task{to_subgoal,
                     std::min(std::sqrt(2 * platform_.body.a_v * distance), distance / (2 * observation.period))};
     NavigatorStep step{best(observation, task), NavigatorStatus::driving, {}};
-    if (trap_.update(observation.time, pose.position(), subgoal.position, false) == TrapWatch::Event::give_up) {
+    if (trap_.update(observation.time, pose.position(), subgoal.position)) {
       step.status = NavigatorStatus::trapped;
       step.reason = fmt::format("no progress for {:g} s, {:.2f} m from the subgoal: no velocity is better",
                                 options_.patience, distance);

@@ -74,21 +74,34 @@ void MotionControl::aim(const MotionTask& task, MotionCandidate& candidate) cons
   candidate.heading_error = std::abs(angle_between(candidate.end.heading, angle_of(way.y(), way.x())));
 }
 
-double MotionControl::free_cost(const MotionCandidate& c) const {
-  return c.distance + options_.heading_cost * c.heading_error * std::min(1.0, c.distance / options_.heading_reach);
+double MotionControl::heading_cost(const MotionCandidate& c) const {
+  return options_.heading_cost * c.heading_error * std::min(1.0, c.distance / options_.heading_reach);
+}
+
+double MotionControl::free_cost(const MotionCandidate& c) const { return c.distance + heading_cost(c); }
+
+double MotionControl::hard_cost(const MotionCandidate& c) const {
+  if (c.hard == 0) return 0;
+  return options_.hard_cost * (options_.hard_base + c.command.v / std::max(body_.v_max, 1e-9)) +
+         options_.hard_samples * c.hard;
+}
+
+double MotionControl::soft_cost(const MotionCandidate& c) const { return options_.soft_samples * c.soft / 8; }
+
+double MotionControl::speed_cost(const MotionCandidate& c) const {
+  return options_.soft_speed_cost * (c.near ? 1.0 : static_cast<double>(c.soft) / c.samples) *
+         std::max(0.0, c.command.v - options_.soft_speed) / std::max(body_.v_max, 1e-9);
 }
 
 /// [LM99+] Obstacles along the trajectory count one by one, not by their density: near a wall a longer trajectory has
 /// the lower density, and the robot would speed up. The soft zone makes slow, it does not forbid.
 double MotionControl::obstacle_cost(const MotionCandidate& c) const {
   if (c.soft == 0 && c.hard == 0 && !c.near) return 0;
-  const double v_max = std::max(body_.v_max, 1e-9);
-  double cost = options_.soft_samples * c.soft / 8 + options_.soft_speed_cost *
-                                                         (c.near ? 1.0 : static_cast<double>(c.soft) / c.samples) *
-                                                         std::max(0.0, c.command.v - options_.soft_speed) / v_max;
-  if (c.hard > 0)
-    cost += options_.hard_cost * (options_.hard_base + c.command.v / v_max) + options_.hard_samples * c.hard;
-  return cost;
+  return soft_cost(c) + speed_cost(c) + hard_cost(c);
+}
+
+MotionCost MotionControl::cost(const MotionCandidate& c) const {
+  return {c.distance, heading_cost(c), hard_cost(c), soft_cost(c), speed_cost(c)};
 }
 
 double MotionControl::objective(const MotionCandidate& candidate) const {

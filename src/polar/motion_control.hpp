@@ -62,6 +62,15 @@ struct MotionCandidate {
   bool near = false;         ///< the robot is near a point now
 };
 
+/// What a candidate costs, term by term [m].
+struct MotionCost {
+  double distance = 0;  ///< left to the subgoal
+  double heading = 0;   ///< not facing it
+  double hard = 0;      ///< too near
+  double soft = 0;      ///< in the slow zone
+  double speed = 0;     ///< fast there
+};
+
 /// An objective of one's own: the candidate with the least value is taken.
 using OwnObjective = std::function<double(const MotionCandidate&)>;
 
@@ -85,6 +94,7 @@ class MotionControl {
   const MotionCandidate& chosen() const { return best_; }
   /// How far trajectories from here can lead [m].
   double reach(const Prediction& now) const;
+  MotionCost cost(const MotionCandidate& candidate) const;
   /// The objective as the documentation has it.
   double objective(const MotionCandidate& candidate) const;
 
@@ -113,6 +123,10 @@ class MotionControl {
   MotionCandidate candidate(const MotionTask& task, int index) const;
   void aim(const MotionTask& task, MotionCandidate& candidate) const;
   double bound(const MotionTask& task, const MotionCandidate& candidate) const;
+  double heading_cost(const MotionCandidate& candidate) const;
+  double hard_cost(const MotionCandidate& candidate) const;
+  double soft_cost(const MotionCandidate& candidate) const;
+  double speed_cost(const MotionCandidate& candidate) const;
   double free_cost(const MotionCandidate& candidate) const;
   double obstacle_cost(const MotionCandidate& candidate) const;
   void look(const MotionTask& task, int index, MotionCandidate& candidate, double free, double most);

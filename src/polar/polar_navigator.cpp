@@ -45,7 +45,7 @@ PolarNavigator::PolarNavigator(const Platform& platform, const PolarOptions& opt
       solver_(layout_, weights_of(layout_, options_.map, parts_)),
       readout_(options_.subgoal, options_.map.kappa),
       control_(platform.body, options_.control, parts_.objective),
-      trap_(options_.trap),
+      trap_(platform, options_.trap),
       planned_(&projection_.layer(plan)) {}
 
 void PolarNavigator::reset() {
@@ -62,20 +62,20 @@ NavigatorStep PolarNavigator::step(const Observation& observation, const Subgoal
   predicted_ = predictor_.predict(observation);  // 3
   NavigatorStep step;
   const Vec2 at = observation.odometry.pose.position();
-  const TrapWatch::Event event =
-      trap_.update(observation.time, at, subgoal.position, subgoal_ && subgoal_->position.y() >= 0);
+  TrapEscapes::Verdict trap =
+      trap_.update(observation, subgoal.position, memory_, subgoal_ && subgoal_->position.y() >= 0);
   if ((subgoal.position - at).norm() <= subgoal.tolerance) {
     step = arrive(observation, subgoal);
-  } else if (event == TrapWatch::Event::give_up) {
-    step = give_up(options_.trap.patience);
+  } else if (trap.give_up) {
+    step = {{}, NavigatorStatus::trapped, std::move(trap.reason)};
   } else {
-    if (event == TrapWatch::Event::escape) step.reason = escape_text();
+    step.reason = std::move(trap.reason);
     place_map(trap_.temporary().value_or(subgoal.position));
     mapper_.map(memory_, odometry_from_map_, at);  // 4 project
     project();                                     // 5 map
     diffuse();                                     // 6
     choose_subgoal();                              // 7
-    step.command = control();                      // 8
+    step.command = drive();                      // 8
   }
   predictor_.commanded(step.command);
   return step;
@@ -90,18 +90,6 @@ NavigatorStep PolarNavigator::arrive(const Observation& observation, const Subgo
   const double most = std::min(body.w_max, std::sqrt(2 * body.a_w * std::abs(error)));
   const double w = std::clamp(error / (2 * predicted_.period), -most, most);
   return {{0, w, 0}, NavigatorStatus::driving, {}};
-}
-
-NavigatorStep PolarNavigator::give_up(double patience) const {
-  return {{},
-          NavigatorStatus::trapped,
-          fmt::format("no progress for {:g} s, {:.2f} m from the subgoal{}", patience, trap_.distance(),
-                      options_.trap.escapes > 0 ? fmt::format(", after {} escapes", options_.trap.escapes) : "")};
-}
-
-std::string PolarNavigator::escape_text() const {
-  return fmt::format("no progress for {:g} s, {:.2f} m from the subgoal: escape {} of {}", options_.trap.patience,
-                     trap_.distance(), trap_.escapes(), options_.trap.escapes);
 }
 
 /// The map lies around the predicted position with the target in sector 0.
@@ -151,7 +139,7 @@ void PolarNavigator::choose_subgoal() {
   direction_ = wrap_angle(odometry_from_map_.heading + layout_.bearing(subgoal_->sector));
 }
 
-Command PolarNavigator::control() {
+Command PolarNavigator::drive() {
   if (!subgoal_) return turn_in_place();
   return control_.choose({predicted_, angle_between(odometry_from_map_.heading, predicted_.pose.heading),
                           subgoal_->position, mapper_.clearance(), layout_, projection_.layer(hard),

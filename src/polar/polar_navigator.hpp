@@ -33,21 +33,20 @@ class PolarNavigator {
   const std::optional<PolarSubgoal>& subgoal() const { return subgoal_; }
   Vec2 target() const { return {target_distance_, 0}; }  ///< in the frame of the map
   int target_ring() const { return target_ring_; }
-  const MotionCandidate& chosen() const { return control_.chosen(); }
-  const TrapWatch& trap() const { return trap_; }
+  const MotionControl& control() const { return control_; }
+  const Platform& platform() const { return platform_; }
+  const TrapEscapes& trap() const { return trap_; }
   const Predictor& predictor() const { return predictor_; }
 
  private:
   NavigatorStep arrive(const Observation& observation, const Subgoal& subgoal) const;
-  NavigatorStep give_up(double patience) const;
-  std::string escape_text() const;
   void place_map(const Vec2& target);
   void project();
   void diffuse();
   bool reached() const;
   void retry(int scans);
   void choose_subgoal();
-  Command control();
+  Command drive();
   Command turn_in_place() const;
 
   Platform platform_;
@@ -62,7 +61,7 @@ class PolarNavigator {
   PolarSolver solver_;
   SubgoalReadout readout_;
   MotionControl control_;
-  TrapWatch trap_;
+  TrapEscapes trap_;
 
   Prediction predicted_;
   Pose2 odometry_from_map_;

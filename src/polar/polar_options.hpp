@@ -7,7 +7,7 @@
 #include "polar/prediction.hpp"
 #include "polar/sonar_memory.hpp"
 #include "polar/subgoal_readout.hpp"
-#include "polar/trap_watch.hpp"
+#include "polar/trap_escapes.hpp"
 
 namespace meander {
 

@@ -49,6 +49,13 @@ class SonarMemory {
   void remember(const Readings& readings);
   void clear();
 
+  struct Beam {
+    Vec2 from{0, 0};
+    Vec2 axis{0, 0};
+    double reading = 0;
+  };
+  /// The newest scan as it was read, in the odometry frame.
+  std::span<const Beam> beams() const { return beams_; }
   /// Scans there are, 0 the newest.
   int scans() const { return held_; }
   std::span<const MemoryPoint> scan(int age) const;
@@ -57,11 +64,6 @@ class SonarMemory {
   struct Scan {
     std::vector<MemoryPoint> points;
     std::size_t count = 0;
-  };
-  struct Beam {
-    Vec2 from{0, 0};
-    Vec2 axis{0, 0};
-    double reading = 0;
   };
   void aim(const Readings& readings);
   void contradict();

@@ -24,7 +24,7 @@ class VfhPlus {
         options_(options),
         memory_(platform, options.memory),
         steering_(platform, options.steering),
-        trap_({.patience = options.patience, .progress = options.progress, .escapes = 0}),
+        trap_(options.patience, options.progress),
         sector_(2 * kPi / options.sectors),
         density_(static_cast<std::size_t>(options.sectors)),
         blocked_(density_.size()),
@@ -46,7 +46,7 @@ class VfhPlus {
     const double target = pose.heading + angle_of(to_subgoal.y(), to_subgoal.x());
     const std::optional<double> direction = best_direction(target, pose.heading);
     NavigatorStep step{command(direction, observation, to_subgoal), NavigatorStatus::driving, {}};
-    if (trap_.update(observation.time, pose.position(), subgoal.position, false) == TrapWatch::Event::give_up) {
+    if (trap_.update(observation.time, pose.position(), subgoal.position)) {
       step.status = NavigatorStatus::trapped;
       step.reason = fmt::format("no progress for {:g} s, {:.2f} m from the subgoal: {}", options_.patience,
                                 to_subgoal.norm(), direction ? "the openings lead away" : "no opening");

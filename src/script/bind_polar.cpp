@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #include "polar/polar_navigator.hpp"
+#include "render/draw_polar.hpp"
 #include "script/bind.hpp"
 #include "script/example_text.hpp"
 #include "script/kit_module.hpp"
 #include "script/kit_type.hpp"
 #include "script/objects.hpp"
+#include "script/picture.hpp"
 #include "script/polar_own.hpp"
 #include "script/robot_options.hpp"
 
@@ -40,6 +42,20 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"exact", "", "the target itself"}, o.exact);
 }
 
+/// What the chosen command costs, term by term.
+struct PolarCostView {
+  double distance = 0, heading = 0, hard = 0, soft = 0, speed = 0;
+};
+template <class Options, class Visitor>
+requires std::same_as<std::remove_const_t<Options>, PolarCostView>
+void fields(Options& o, Visitor&& visit) {
+  visit(Field{"distance", "m", "left to the subgoal"}, o.distance);
+  visit(Field{"heading", "m", "not facing it"}, o.heading);
+  visit(Field{"hard", "m", "nearer to something than the hard margin"}, o.hard);
+  visit(Field{"soft", "m", "in the slow zone"}, o.soft);
+  visit(Field{"speed", "m", "fast there"}, o.speed);
+}
+
 /// A polar navigator's last cycle.
 struct PolarLook {
   Pose2 frame, predicted;
@@ -51,6 +67,7 @@ struct PolarLook {
   double residual = 0;
   std::optional<PolarSubgoalView> subgoal;
   PolarCandidateView chosen;
+  PolarCostView cost;
   std::vector<Vec2> points, memory;
   int latency = 0, traps = 0;
   bool escaping = false;
@@ -70,6 +87,7 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"residual", "", "how far from the equilibrium: the largest relative error"}, o.residual);
   visit(Field{"subgoal", "m", "chosen; nil: no way"}, o.subgoal);
   visit(Field{"chosen", "", "the candidate chosen by the motion control"}, o.chosen);
+  visit(Field{"cost", "m", "what that one costs, by the navigator's own objective"}, o.cost);
   visit(Field{"points", "m", "what is mapped, in the odometry frame"}, o.points);
   visit(Field{"memory", "m", "what is remembered, in the odometry frame"}, o.memory);
   visit(Field{"latency", "", "cycles until commands take effect"}, o.latency);
@@ -108,7 +126,9 @@ PolarLook look(const PolarNavigator& polar) {
     const Vec2 at = look.frame * subgoal->position;
     look.subgoal = {at.x(), at.y(), subgoal->ring + 1, subgoal->sector + 1, subgoal->exact};
   }
-  look.chosen = candidate_view(polar.chosen());
+  look.chosen = candidate_view(polar.control().chosen());
+  const MotionCost cost = polar.control().cost(polar.control().chosen());
+  look.cost = {cost.distance, cost.heading, cost.hard, cost.soft, cost.speed};
   for (const MappedPoint& point : polar.points()) look.points.push_back(look.frame * point.position);
   for (int age = 0; age < polar.memory().scans(); ++age)
     for (const MemoryPoint& point : polar.memory().scan(age)) look.memory.push_back(point.position);
@@ -118,10 +138,21 @@ PolarLook look(const PolarNavigator& polar) {
   return look;
 }
 
-PolarLook inspect(const Navigator& navigator) {
-  const auto inside = polar_inside(navigator);
+std::shared_ptr<const PolarNavigator> inside(const Navigator& navigator) {
+  auto inside = polar_inside(navigator);
   if (!inside) fail("navigator \"{}\": only polar navigators can be looked into", navigator.name);
-  return look(*inside);
+  return inside;
+}
+
+PolarLook inspect(const Navigator& navigator) { return look(*inside(navigator)); }
+
+DrawList picture(const Navigator& navigator) {
+  const auto polar = inside(navigator);
+  const Platform& platform = polar->platform();
+  return draw_polar(*polar, {.radius = platform.body.radius,
+                             .ring = platform.sonar,
+                             .half_cone = SonarOptions{}.half_cone,
+                             .range_max = polar->options().memory.range_max});
 }
 
 }  // namespace
@@ -135,7 +166,7 @@ void bind_polar(lua_State* L) {
               .returns = "the navigator",
               .errors = "a number out of range; own weights without a stable equilibrium",
               .example = "print(meander.polar.navigator { map = { rings = 100, sectors = 32 } })"});
-  Type<Navigator>(L).method<&inspect>(
+  Type<Navigator>(L).picture<&picture>().method<&inspect>(
       Doc{.name = "inspect",
           .text = "What the last cycle of a polar navigator was like: map, activation, memory, choice.",
           .returns = "table of what it had before it",
