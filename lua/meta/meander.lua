@@ -1104,12 +1104,20 @@ function meander.polar.tangent_bug(options) end
 ---@field sample_step? number distance between samples of a trajectory [m]; 0.05 when left out
 ---@field samples? integer samples of a trajectory at most; 12 when left out
 
+---@class meander.polar.navigator.options.trap.escape
+---@field directions? integer in which the free way is looked at; 72 when left out
+---@field reach? number how far the memory is trusted [m]; 1.9 when left out
+---@field clearance? number hull distance at which walls are passed [m]; 0.03 when left out
+---@field look? number free way that makes a direction good enough along a wall [m]; 0.4 when left out
+---@field leave? number over when a place so much nearer to the target than ever before is in reach [m]; 0.16 when left out
+---@field loop? number coming so near to where it began means that there is no way on this side [m]; 0.5 when left out
+
 ---@class meander.polar.navigator.options.trap
 ---@field watch? boolean notice being trapped; true when left out
 ---@field patience? number trapped after so long without progress [s]; 15 when left out
 ---@field progress? number what counts as progress towards the subgoal [m]; 0.1 when left out
----@field escapes? integer tries to get out by a temporary target, before the guide is told; 6 when left out
----@field escape_time? number how long a temporary target holds; half as long again for those to the rear [s]; 8 when left out
+---@field escapes? integer tries to get out along the wall, on one side and the other, before the guide is told; 4 when left out
+---@field escape? meander.polar.navigator.options.trap.escape along the wall
 
 ---@class meander.polar.navigator.options.own
 ---@field weights? fun(ring: any): ...any function(ring): weights {inward =, outward =, lateral =, leak =} of a ring

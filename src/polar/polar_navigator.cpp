@@ -75,7 +75,7 @@ NavigatorStep PolarNavigator::step(const Observation& observation, const Subgoal
     project();                                     // 5 map
     diffuse();                                     // 6
     choose_subgoal();                              // 7
-    step.command = drive();                      // 8
+    step.command = drive();                        // 8
   }
   predictor_.commanded(step.command);
   return step;
