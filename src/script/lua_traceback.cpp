@@ -76,8 +76,8 @@ std::vector<std::string> script_frames(lua_State* L) {
   return frames;
 }
 
-/// Argument 1 is an error value. No part of the message handler: a large table takes its time, and no hook would stop it
-/// there.
+/// Argument 1 is an error value. No part of the message handler: a large table takes its time, and no hook would stop
+/// it there.
 int table_text(lua_State* L) {
   if (!push_pretty(L, "brief")) return lua_pushliteral(L, "error value is a table, not a text"), 1;
   lua_pushvalue(L, 1);

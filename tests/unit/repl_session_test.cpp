@@ -99,8 +99,7 @@ TEST_P(SessionFiles, ScriptsAreLoadedAndSaved) {
   t.send("\x03");
   t.wait_for("interrupted\r\n> ");
   EXPECT_EQ(t.enter(".save part.lua"), "'part.lua' exists already; choose another name\r\n");
-  EXPECT_EQ(t.enter(".save all.lua"),
-            "saved as 'all.lua' (1 interrupted input left out; results may differ)\r\n");
+  EXPECT_EQ(t.enter(".save all.lua"), "saved as 'all.lua' (1 interrupted input left out; results may differ)\r\n");
   EXPECT_EQ(file_text("all.lua"),
             "world = meander.world\ndofile(\"part.lua\")\n_ = part * 2\nprint(_)\nbetween = 1\ntwice = _\nprint(_)\n"
             "world.new {}:names()\n-- interrupted, left out; results may differ: print 'begun' while true do end\n");

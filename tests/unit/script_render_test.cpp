@@ -23,9 +23,9 @@ class RenderScript : public ScriptState {
 };
 
 TEST_F(RenderScript, EverythingThatCanBeSeenIsShown) {
-  for (const char* what :
-       {"s", "run", "s.world", "meander.sensor.scan { world = s.world }", "run:trace 'v'", "run:sonar()", "{1, 2, 4}",
-        "r.curve {1, 2}", "{1, 0/0, 3}", "{{1, 2}, {3, 0/0}}", "r.heat_map {{1, 2}, {3, 4}}", "r.histogram {1, 2}", "r.heat_map(run:sonar())"}) {
+  for (const char* what : {"s", "run", "s.world", "meander.sensor.scan { world = s.world }", "run:trace 'v'",
+                           "run:sonar()", "{1, 2, 4}", "r.curve {1, 2}", "{1, 0/0, 3}", "{{1, 2}, {3, 0/0}}",
+                           "r.heat_map {{1, 2}, {3, 4}}", "r.histogram {1, 2}", "r.heat_map(run:sonar())"}) {
     written_.clear();
     EXPECT_EQ(run(std::string("show(") + what + ")"), "") << what;
     EXPECT_GT(written_.size(), 50u) << what;
