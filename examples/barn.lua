@@ -13,7 +13,7 @@ local report = require "meander.report"
 local options = require "meander.arguments" {
   about = "drives navigators through the worlds of the BARN benchmark",
   { "--worlds A-B", default = "0-149", help = "numbers of the worlds" },
-  { "--navigator NAMES", default = "potential_field", help = "one or several with commas, or all" },
+  { "--navigator NAMES", default = "polar", help = "one or several with commas, or all" },
   { "--options TEXT", default = "", help = "options of the navigator, as in a Lua table" },
   { "--sonars N", default = 16, help = "sonars of the ring, each with a cone as wide as its share of the circle at most" },
   { "--speed V", default = 2.0, help = "largest speed of the robot, m/s" },

@@ -13,7 +13,7 @@ local scenes = require "meander.scenes"
 local options = require "meander.arguments" {
   about = "measures navigators on the scenes of local navigation",
   { "--scene NAMES", default = "all", help = "one or several with commas, or all" },
-  { "--navigator NAMES", default = "potential_field", help = "one or several with commas, or all" },
+  { "--navigator NAMES", default = "polar", help = "one or several with commas, or all" },
   { "--options TEXT", default = "", help = "options of the navigator, as in a Lua table" },
   { "--seeds N", default = 20, help = "trials per scene; seeds without a feasible scene are passed over" },
   { "--first-seed S", default = 2000, help = "their seeds begin here; the navigators were tuned on 1 to 1000" },

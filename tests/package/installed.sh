@@ -15,8 +15,7 @@ mv "$scratch/stage/opt/meander" "$prefix"
 
 mkdir "$scratch/work"
 cd "$scratch/work"
-# A build with sanitizers cannot look for leaks within a sandbox.
-meander() { env -i HOME="$scratch/work" PATH=/usr/bin:/bin ASAN_OPTIONS=detect_leaks=0 "$prefix/bin/meander" "$@"; }
+meander() { env -i HOME="$scratch/work" PATH=/usr/bin:/bin "$prefix/bin/meander" "$@"; }
 say() { printf -- '-- %s\n' "$*"; }
 fail() { printf 'installed.sh: %s\n' "$*" >&2; exit 1; }
 
