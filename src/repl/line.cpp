@@ -206,11 +206,20 @@ void expect_utf8() {
   std::setlocale(LC_CTYPE, "C.UTF-8");
 }
 
+/// Keys typed ahead come before all that wait in the terminal, also where readline takes several at once.
+int next_key(std::FILE* stream) {
+  if (typed_ahead.empty()) return rl_getc(stream);
+  const unsigned char key = static_cast<unsigned char>(typed_ahead.front());
+  typed_ahead.erase(0, 1);
+  return key;
+}
+
 void set_up_readline() {
   expect_utf8();
   rl_readline_name = "meander";
   rl_catch_signals = 0;
   rl_catch_sigwinch = 0;
+  rl_getc_function = next_key;
   rl_attempted_completion_function = complete_word;
   rl_completer_word_break_characters = " \t\n\"'`$@><=;|&{}()[]+-*/%^~#,.:";
   rl_completion_word_break_hook = word_breaks;
@@ -228,11 +237,7 @@ void set_up_readline() {
 /// Types the keys that somebody else has read for the prompt.
 void type_ahead() {
   typed_ahead += script::take_typed_ahead();
-  while (!finished && !typed_ahead.empty()) {
-    rl_stuff_char(static_cast<unsigned char>(typed_ahead.front()));
-    typed_ahead.erase(0, 1);
-    rl_callback_read_char();
-  }
+  while (!finished && !typed_ahead.empty()) rl_callback_read_char();
 }
 
 void take_key() {
