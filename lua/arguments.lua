@@ -17,7 +17,7 @@
 -- whole one if it is whole; an option without a placeholder is a flag. --help prints the table and ends the script; a
 -- mistake ends it with one line and exit code 2.
 
-local did_you_mean = require "meander.testing.names"
+local did_you_mean = meander.did_you_mean
 
 local function script_name() return (arg and arg[0] or "script"):match("[^/]*$") end
 

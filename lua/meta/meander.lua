@@ -1713,6 +1713,25 @@ function meander.study.bootstrap_median(values, options) end
 ---@return integer
 function meander.study.compare(a, b, options) end
 
+---What a value is: 'world', 'sim', 'run', ... for objects of meander, otherwise what type() says.
+---
+---```lua
+---print(meander.kind(meander.world.new {}), meander.kind {})
+---```
+---@param value any anything
+---@return string # the word
+function meander.kind(value) end
+
+---For messages of scripts: the nearest of several names to one that was misspelt.
+---
+---```lua
+---print(meander.did_you_mean('sede', { 'seed', 'time' }))
+---```
+---@param name string what was written
+---@param names string[] what could have been meant
+---@return string # "; did you mean 'x'?", or an empty text where none is near
+function meander.did_you_mean(name, names) end
+
 ---Radians from degrees: heading = deg(30). Angles are in radians everywhere; Lua's math.rad is the same.
 ---
 ---```lua

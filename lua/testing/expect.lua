@@ -2,7 +2,7 @@
 -- SPDX-FileCopyrightText: the meander authors
 -- expect(value):matcher(...): each matcher checks at once, raises a failure at its caller's line and returns the
 -- expectation, so that matchers chain. `never` turns the next one round.
-local did_you_mean = require "meander.testing.names"
+local did_you_mean = meander.did_you_mean
 local pretty = require "meander.pretty"
 
 local expect = {}

@@ -3,7 +3,7 @@
 -- Matchers about values of any kind.
 local difference = require "meander.testing.difference"
 local expect = require "meander.testing.expect"
-local kind_of = require "meander.testing.kind"
+local kind_of = meander.kind
 local pretty = require "meander.pretty"
 
 local matcher = expect.matcher

@@ -4,7 +4,7 @@
 -- happened instead.
 local difference = require "meander.testing.difference"
 local expect = require "meander.testing.expect"
-local kind_of = require "meander.testing.kind"
+local kind_of = meander.kind
 local pretty = require "meander.pretty"
 
 local define = expect.define

@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <array>
 
+#include "app/batch.hpp"
+
 namespace meander {
 namespace {
 
 constexpr std::array kSubcommands = {
-    Subcommand{"convert", "IN OUT", "read a world or map, write it in another format", convert_command},
+    Subcommand{"convert", "IN OUT", "read a world or map, write it in another format",
+               [](const CommandLine& line) { return run_lua_command("convert", line); }},
     Subcommand{"doc", "[NAME]", "what help(NAME) says; or the reference page, annotations, the man page", doc_command},
     Subcommand{"test", "PATH...", "run scripted tests: files, or all *_test.lua in folders", test_command},
-    Subcommand{"completion", "SHELL", "print what a shell needs to complete the command line", completion_command},
+    Subcommand{"completion", "SHELL", "print what a shell needs to complete the command line",
+               [](const CommandLine& line) { return run_lua_command("completion", line); }},
 };
 
 }  // namespace

@@ -23,9 +23,7 @@ std::vector<std::string> subcommand_names();
 /// nullptr: `name` is a script.
 const Subcommand* find_subcommand(std::string_view name);
 
-// One file each: <name>_command.cpp.
-int completion_command(const CommandLine& line);
-int convert_command(const CommandLine& line);
+// One file each, <name>_command.cpp; those in Lua are lua/commands/<name>.lua.
 int doc_command(const CommandLine& line);
 int test_command(const CommandLine& line);
 

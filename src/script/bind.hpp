@@ -26,6 +26,7 @@ void bind_baselines(lua_State* L);
 void bind_polar(lua_State* L);
 void bind_study(lua_State* L);
 void bind_folder(lua_State* L);
+void bind_words(lua_State* L);
 void bind_help(lua_State* L);
 
 }  // namespace meander::script

@@ -29,6 +29,7 @@ void bind_all(lua_State* L) {
   bind_robot(L);
   bind_sensor(L);
   bind_study(L);
+  bind_words(L);
   bind_help(L);
 }
 

@@ -11,7 +11,7 @@
 
 namespace meander {
 
-std::size_t allocations();  // polar_allocation_counter_test.cpp
+std::size_t allocations();  // allocation_counter.cpp
 
 namespace {
 

@@ -127,5 +127,13 @@ TEST_F(Members, MatricesAndGeneratedWorlds) {
             "true false");
 }
 
+TEST_F(Members, KindsAndNamesThatAreNear) {
+  EXPECT_EQ(run("return meander.kind(sim), meander.kind(sim.world), meander.kind(1), meander.kind(nil), "
+                "meander.kind(print), meander.kind(io.stdout)"),
+            "sim world number nil function FILE*");
+  EXPECT_EQ(run("return meander.did_you_mean('sede', { 'time', 'seed' })"), "; did you mean 'seed'?");
+  EXPECT_EQ(run("return meander.did_you_mean('xyz', { 'time', 'seed' })"), "");
+}
+
 }  // namespace
 }  // namespace meander::script

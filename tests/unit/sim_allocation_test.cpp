@@ -8,7 +8,7 @@
 
 namespace meander {
 
-std::size_t allocations();  // sim_allocation_counter_test.cpp
+std::size_t allocations();  // allocation_counter.cpp
 
 namespace {
 
