@@ -27,26 +27,39 @@ PointMapper::PointMapper(double body_radius, double scope, double merge, std::si
 }
 
 void PointMapper::map(const SonarMemory& memory, const Pose2& odometry_from_map, const Vec2& robot_now) {
+  begin(odometry_from_map, robot_now);
+  for (int age = 0; age < memory.scans(); ++age)
+    for (const MemoryPoint& remembered : memory.scan(age)) add(remembered.position, age);
+}
+
+void PointMapper::map(std::span<const Vec2> points, const Pose2& odometry_from_map, const Vec2& robot_now) {
+  begin(odometry_from_map, robot_now);
+  for (const Vec2& point : points) add(point, 0);
+}
+
+void PointMapper::begin(const Pose2& odometry_from_map, const Vec2& robot_now) {
   points_.clear();
   std::fill(raster_.begin(), raster_.end(), std::uint64_t{0});
-  const Vec2 x_axis = odometry_from_map.direction(), y_axis = left_of(x_axis);
-  double nearest = scope_ * scope_;
-  const double erroneous = kErroneous * radius_;
-  for (int age = 0; age < memory.scans(); ++age)
-    for (const MemoryPoint& remembered : memory.scan(age)) {
-      const Vec2 way = remembered.position - odometry_from_map.position();
-      Vec2 p(way.dot(x_axis), way.dot(y_axis));
-      const double square = p.squaredNorm();
-      if (!(square <= scope_ * scope_)) continue;
-      if ((remembered.position - robot_now).squaredNorm() < erroneous * erroneous) continue;
-      if (square < radius_ * radius_) {
-        if (square < 1e-12) continue;
-        p *= (radius_ + kPushedOut) / std::sqrt(square);
-      }
-      nearest = std::min(nearest, p.squaredNorm());
-      if (new_place(p)) points_.push_back({p, age});
-    }
-  nearest_ = std::sqrt(nearest);
+  origin_ = odometry_from_map.position();
+  x_axis_ = odometry_from_map.direction();
+  y_axis_ = left_of(x_axis_);
+  robot_now_ = robot_now;
+  nearest_square_ = scope_ * scope_;
+}
+
+void PointMapper::add(const Vec2& position, int age) {
+  const Vec2 way = position - origin_;
+  Vec2 p(way.dot(x_axis_), way.dot(y_axis_));
+  double square = p.squaredNorm();
+  if (!(square <= scope_ * scope_)) return;
+  if ((position - robot_now_).squaredNorm() < kErroneous * kErroneous * radius_ * radius_) return;
+  if (square < radius_ * radius_) {
+    if (square < 1e-12) return;
+    p *= (radius_ + kPushedOut) / std::sqrt(square);
+    square = p.squaredNorm();
+  }
+  nearest_square_ = std::min(nearest_square_, square);
+  if (new_place(p)) points_.push_back({p, age});
 }
 
 /// The first point in each square of the raster: the newest, as they come by age.

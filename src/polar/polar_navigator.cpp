@@ -71,11 +71,11 @@ NavigatorStep PolarNavigator::step(const Observation& observation, const Subgoal
   } else {
     step.reason = std::move(trap.reason);
     place_map(trap_.temporary().value_or(subgoal.position));
-    mapper_.map(memory_, odometry_from_map_, at);  // 4 project
-    project();                                     // 5 map
-    diffuse();                                     // 6
-    choose_subgoal();                              // 7
-    step.command = drive();                        // 8
+    map_points(observation);  // 4 project
+    project();                // 5 map
+    diffuse();                // 6
+    choose_subgoal();         // 7
+    step.command = drive();   // 8
   }
   predictor_.commanded(step.command);
   return step;
@@ -98,6 +98,13 @@ void PolarNavigator::place_map(const Vec2& target) {
   target_distance_ = way.norm();
   target_ring_ = meander::target_ring(layout_, target_distance_);
   odometry_from_map_ = {predicted_.pose.x, predicted_.pose.y, angle_of(way.y(), way.x())};
+}
+
+void PolarNavigator::map_points(const Observation& observation) {
+  const Vec2 at = observation.odometry.pose.position();
+  if (!parts_.obstacles) return mapper_.map(memory_, odometry_from_map_, at);
+  parts_.obstacles(observation, obstacles_);
+  mapper_.map(obstacles_, odometry_from_map_, at);
 }
 
 void PolarNavigator::project() {

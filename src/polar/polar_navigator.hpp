@@ -41,6 +41,7 @@ class PolarNavigator {
  private:
   NavigatorStep arrive(const Observation& observation, const Subgoal& subgoal) const;
   void place_map(const Vec2& target);
+  void map_points(const Observation& observation);
   void project();
   void diffuse();
   bool reached() const;
@@ -56,8 +57,9 @@ class PolarNavigator {
   SonarMemory memory_;
   Predictor predictor_;
   PointMapper mapper_;
-  Projection projection_;  ///< layers: plan, hard, soft
-  Projection narrow_;      ///< plan with the narrow margin
+  std::vector<Vec2> obstacles_;  ///< of one's own, as of this cycle
+  Projection projection_;        ///< layers: plan, hard, soft
+  Projection narrow_;            ///< plan with the narrow margin
   PolarSolver solver_;
   SubgoalReadout readout_;
   MotionControl control_;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include <functional>
+#include <vector>
+
 #include "polar/motion_control.hpp"
 #include "polar/polar_layout.hpp"
 #include "polar/polar_solver.hpp"
@@ -64,11 +67,16 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"trap", "", "trapped: when, and what then"}, o.trap);
 }
 
-/// Parts of one's own; empty ones are the navigator's.
+/// Where something stands, in the odometry frame, as of this observation: called once a cycle, replaces the list.
+using OwnObstacles = std::function<void(const Observation&, std::vector<Vec2>& points)>;
+
+/// Parts of one's own; empty ones are the navigator's. `obstacles` takes the place of the remembered points in the map;
+/// the escapes from traps go on with the memory.
 struct PolarParts {
   OwnWeights weights;
   OwnObjective objective;
   OwnSubgoal subgoal;
+  OwnObstacles obstacles;
 };
 
 /// The options with what the mode turns off turned off.
