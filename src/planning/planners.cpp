@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "planning/planners.hpp"
+
+#include "base/names.hpp"
+#include "planning/distance_transform.hpp"
+
+namespace meander {
+namespace {
+
+using Planner = PlanningResult (*)(const PlanningProblem&, const PlannerOptions&, const Work&);
+
+constexpr std::pair<const char*, Planner> kPlanners[] = {
+    {"distance_transform", [](const PlanningProblem& problem, const PlannerOptions&,
+                              const Work& work) { return distance_transform(problem, work); }},
+};
+
+Planner planner_by_name(const std::string& name) {
+  for (const auto& [known, planner] : kPlanners)
+    if (name == known) return planner;
+  fail("unknown planner '{}'{} (known: {})", name, did_you_mean(name, planner_names()), listing(planner_names()));
+}
+
+}  // namespace
+
+PlanningResult solve(const PlanningProblem& problem, const std::string& planner, const PlannerOptions& options,
+                     const Work& work) {
+  const Planner chosen = planner_by_name(planner);
+  validate(options.neural_map);
+  validate(options.harmonic);
+  if (std::string reason = no_path_reason(problem, work); !reason.empty()) return {.value = {}, .reason = reason};
+  return chosen(problem, options, work);
+}
+
+std::vector<std::string> planner_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, planner] : kPlanners) names.emplace_back(name);
+  return names;
+}
+
+}  // namespace meander

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "planning/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace meander {
+namespace {
+
+void check_size(const char* what, int width, int height, const Grid<std::uint8_t>& blocked) {
+  if (width != blocked.width() || height != blocked.height())
+    fail("{}: a grid of {} x {} cells expected, like the map, got {} x {}", what, blocked.width(), blocked.height(),
+         width, height);
+}
+
+std::string at(Cell cell) { return fmt::format("({}, {})", cell.x, cell.y); }
+
+/// "" or why nobody can stand there.
+std::string trouble(const PlanningProblem& problem, const char* what, Cell cell) {
+  if (!problem.blocked.contains(cell))
+    return fmt::format("{} in cell {} lies outside of the map of {} x {} cells", what, at(cell),
+                       problem.blocked.width(), problem.blocked.height());
+  if (problem.blocked[cell] == 0) return {};
+  if (problem.robot_radius > 0 && problem.solid()[cell] == 0)
+    return fmt::format("{} in cell {} is nearer to a wall than the robot's radius", what, at(cell));
+  return fmt::format("{} in cell {} lies in a wall", what, at(cell));
+}
+
+double asked_by(const PlanningProblem& problem, Cell cell, const Eigen::Vector2f& direction) {
+  const double hard = problem.difficulty.cells().empty() ? 1.0 : static_cast<double>(problem.difficulty[cell]);
+  const double dear = problem.drag.cells().empty() ? 0.0 : static_cast<double>(problem.drag[cell].dot(direction));
+  return hard * (1 + dear);
+}
+
+}  // namespace
+
+void validate(const PlanningProblem& problem) {
+  const Grid<std::uint8_t>& map = problem.blocked;
+  if (map.cells().empty()) fail("map: at least one cell expected, got {} x {}", map.width(), map.height());
+  if (problem.targets.empty()) fail("targets: at least one expected, got none");
+  if (!(problem.robot_radius >= 0) || !std::isfinite(problem.robot_radius))
+    fail("robot_radius: a number >= 0 expected, got {}", problem.robot_radius);
+  if (!problem.obstacles.cells().empty())
+    check_size("obstacles", problem.obstacles.width(), problem.obstacles.height(), map);
+  if (!problem.difficulty.cells().empty())
+    check_size("difficulty", problem.difficulty.width(), problem.difficulty.height(), map);
+  if (!problem.drag.cells().empty()) check_size("drag", problem.drag.width(), problem.drag.height(), map);
+  for (const float hard : problem.difficulty.cells())
+    if (!(hard > 0) || !std::isfinite(hard)) fail("difficulty: finite numbers > 0 expected, got {}", hard);
+  for (const Eigen::Vector2f& drag : problem.drag.cells())
+    if (!(drag.squaredNorm() < 1)) fail("drag: vectors shorter than 1 expected, got ({}, {})", drag.x(), drag.y());
+}
+
+std::string no_path_reason(const PlanningProblem& problem, const Work& work) {
+  validate(problem);
+  if (free_targets(problem).empty()) {
+    const std::string first = trouble(problem, "the target", problem.targets.front());
+    return problem.targets.size() == 1 ? first : fmt::format("no target can be stood on: {}", first);
+  }
+  if (!problem.start) return {};
+  if (const std::string bad = trouble(problem, "the start", *problem.start); !bad.empty()) return bad;
+  if (reachable_cells(problem, work)[*problem.start] == 0)
+    return fmt::format("the start in cell {} is cut off from {}", at(*problem.start),
+                       problem.targets.size() == 1 ? "the target in cell " + at(problem.targets.front())
+                                                   : fmt::format("all {} targets", problem.targets.size()));
+  return {};
+}
+
+std::vector<Cell> free_targets(const PlanningProblem& problem) {
+  std::vector<Cell> targets;
+  for (const Cell target : problem.targets)
+    if (problem.blocked.at(target, 1) == 0) targets.push_back(target);
+  return targets;
+}
+
+Grid<std::uint8_t> reachable_cells(const PlanningProblem& problem, const Work& work) {
+  const Grid<std::uint8_t>& blocked = problem.blocked;
+  Grid<std::uint8_t> reached(blocked.width(), blocked.height(), 0, blocked.frame);
+  std::vector<Cell> open;
+  for (const Cell target : free_targets(problem))
+    if (std::exchange(reached[target], std::uint8_t{1}) == 0) open.push_back(target);
+  for (std::size_t count = 0; !open.empty(); ++count) {
+    if (count % 8192 == 0) work.poll();
+    const Cell cell = open.back();
+    open.pop_back();
+    for (const LatticeStep& step : lattice_steps(problem.lattice, cell.y)) {
+      const Cell next{cell.x + step.dx, cell.y + step.dy};
+      if (reached.at(next, 1) != 0 || !open_step(blocked, problem.corners, cell, step)) continue;
+      reached[next] = 1;
+      open.push_back(next);
+    }
+  }
+  return reached;
+}
+
+double step_cost(const PlanningProblem& problem, Cell from, const LatticeStep& step) {
+  if (problem.even()) return step.length;
+  const Cell to{from.x + step.dx, from.y + step.dy};
+  const Vec2 way = cell_center(problem.lattice, to) - cell_center(problem.lattice, from);
+  const Eigen::Vector2f direction = (way / step.length).cast<float>();
+  return step.length * (asked_by(problem, from, direction) + asked_by(problem, to, direction)) / 2;
+}
+
+double least_difficulty(const PlanningProblem& problem) {
+  if (problem.even()) return 1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < problem.blocked.cells().size(); ++i) {
+    if (problem.blocked.cells()[i] != 0) continue;
+    const double hard = problem.difficulty.cells().empty() ? 1.0 : static_cast<double>(problem.difficulty.cells()[i]);
+    const double drag = problem.drag.cells().empty() ? 0.0 : static_cast<double>(problem.drag.cells()[i].norm());
+    least = std::min(least, hard * (1 - drag));
+  }
+  return least;
+}
+
+Grid<std::uint8_t> blocked_for(const Grid<std::uint8_t>& solid, double radius, const Work& work) {
+  if (!(radius >= 0) || !std::isfinite(radius)) fail("robot_radius: a number >= 0 expected, got {}", radius);
+  if (radius <= 0.5) return solid;  // steps that keep corners have half a cell on all sides
+  const int width = solid.width(), height = solid.height();
+  const double reach = std::sqrt(radius * radius + 0.5);
+  const int rows = std::min(static_cast<int>(std::ceil(reach + 0.5)) - 1, height);
+  Grid<std::uint8_t> blocked(width, height, 0, solid.frame);
+  std::vector<int> near(static_cast<std::size_t>(width));  // columns to the nearest solid cell of the row
+  for (int y = -rows; y < height + rows; ++y) {
+    work.poll();
+    const bool rim = y < 0 || y >= height;
+    for (int x = 0, last = -1; x < width; ++x) {
+      if (rim || solid[{x, y}] != 0) last = x;
+      near[static_cast<std::size_t>(x)] = x - last;
+    }
+    for (int x = width - 1, last = width; x >= 0; --x) {
+      if (rim || solid[{x, y}] != 0) last = x;
+      near[static_cast<std::size_t>(x)] = std::min(near[static_cast<std::size_t>(x)], last - x);
+    }
+    for (int dy = -rows; dy <= rows; ++dy) {
+      const int row = y + dy;
+      if (row < 0 || row >= height) continue;
+      const double down = std::max(std::abs(dy) - 0.5, 0.0);
+      const double across = std::sqrt(std::max(reach * reach - down * down, 0.0)) + 0.5;
+      for (int x = 0; x < width; ++x)
+        if (near[static_cast<std::size_t>(x)] < across) blocked[{x, row}] = 1;
+    }
+  }
+  return blocked;
+}
+
+}  // namespace meander
