@@ -8,18 +8,23 @@
 namespace meander {
 namespace {
 
+/// Nobody asks for more [m/s]; keeps squares finite.
+constexpr double kFastest = 1e6;
+
 double within(double value, double least, double most) {
   return std::isfinite(value) ? std::clamp(value, least, most) : 0.0;
 }
 
 }  // namespace
 
-Pose2 arc(const Pose2& pose, double v, double w, double dt) {
+Pose2 twist(const Pose2& pose, double v, double vy, double w, double dt) {
   // The chord of an arc of length s and turn 2h is s sin(h)/h long and points along heading + h.
   const double half = 0.5 * w * dt;
-  const double chord = half == 0 ? v * dt : v * dt * (sin_cos(half).sin / half);
+  const double sinc = half == 0 ? 1 : sin_cos(half).sin / half;
+  const double ahead = v * dt * sinc, left = vy * dt * sinc;
   const SinCos along = sin_cos(pose.heading + half);
-  return {pose.x + chord * along.cos, pose.y + chord * along.sin, wrap_angle(pose.heading + w * dt)};
+  return {pose.x + (ahead * along.cos - left * along.sin), pose.y + (ahead * along.sin + left * along.cos),
+          wrap_angle(pose.heading + w * dt)};
 }
 
 double ramp(double value, double target, double most) { return value + std::clamp(target - value, -most, most); }
@@ -36,7 +41,12 @@ Ramped ramped(double value, double target, double rate, double dt) {
 }
 
 Command limited(const Command& command, const Body& body) {
-  return {within(command.v, body.v_min, body.v_max), within(command.w, -body.w_max, body.w_max), 0};
+  const double w = within(command.w, -body.w_max, body.w_max);
+  if (body.drive == Drive::unicycle) return {within(command.v, body.v_min, body.v_max), w, 0};
+  const double v = within(command.v, -kFastest, kFastest), vy = within(command.vy, -kFastest, kFastest);
+  const double speed = std::sqrt(v * v + vy * vy);
+  const double share = speed > body.v_max ? body.v_max / speed : 1;
+  return {share * v, w, share * vy};
 }
 
 Pose2 between(const Pose2& from, const Pose2& to, double share) {

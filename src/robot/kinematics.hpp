@@ -6,8 +6,11 @@
 
 namespace meander {
 
-/// The pose after driving the exact arc of a unicycle with constant v and w for `dt` seconds.
-Pose2 arc(const Pose2& pose, double v, double w, double dt);
+/// The pose after `dt` seconds with constant velocities in the body's own frame: v forward, vy to the left, w turning.
+/// Exact.
+Pose2 twist(const Pose2& pose, double v, double vy, double w, double dt);
+/// The same for a unicycle: an arc.
+inline Pose2 arc(const Pose2& pose, double v, double w, double dt) { return twist(pose, v, 0, w, dt); }
 
 /// `value` moved towards `target` by at most `most`.
 double ramp(double value, double target, double most);
@@ -19,7 +22,8 @@ struct Ramped {
 };
 Ramped ramped(double value, double target, double rate, double dt);
 
-/// The command within the body's limits; NaN and infinity become 0. Unicycles have no sideways speed.
+/// The command within the body's limits; NaN and infinity become 0. Unicycles have no sideways speed; omnidirectional
+/// bodies keep the direction and are no faster than v_max in any.
 Command limited(const Command& command, const Body& body);
 
 /// Pose between two poses of a short motion: position on the chord, heading on the shorter way; share in [0, 1].

@@ -19,16 +19,19 @@ struct Command {
 /// What the wheels tell: pose in the odometry frame (starts at the start pose) and velocities.
 struct Odometry {
   Pose2 pose;
-  double v = 0;
-  double w = 0;
+  double v = 0;   ///< forward [m/s]
+  double w = 0;   ///< [rad/s]
+  double vy = 0;  ///< to the left [m/s]; 0 for unicycles
 };
 
 /// One sensor suite's output of one control cycle. Arrays are in ring order, first transducer forward,
 /// counter-clockwise.
 struct Readings {
-  std::vector<double> sonar;         ///< ranges [m]; the maximum range: no echo
-  std::vector<Pose2> sonar_pose;     ///< odometry pose of the robot at which each was taken
-  std::vector<std::uint8_t> bumper;  ///< 1: pressed
+  std::vector<double> sonar;          ///< ranges [m]; the maximum range: no echo
+  std::vector<Pose2> sonar_pose;      ///< odometry pose of the robot at which each was taken
+  std::vector<std::uint8_t> bumper;   ///< 1: pressed
+  std::vector<std::uint8_t> whisker;  ///< 1: bent
+  std::vector<double> light;          ///< brightness, compressed by the logarithm
 };
 
 /// Everything the robot side gets to see in one control cycle.

@@ -8,7 +8,7 @@ namespace meander {
 namespace {
 
 // Sources of the figures: docs/simulation.md.
-const std::array<Platform, 2> kPlatforms{
+const std::array<Platform, 3> kPlatforms{
     Platform{.name = "nomad200",
              .body = {.radius = 0.2667,
                       .v_max = 0.6096,
@@ -28,6 +28,19 @@ const std::array<Platform, 2> kPlatforms{
                       .a_w = 3.141592653589793},
              .sonar = {.count = 16, .radius = 0.18, .first = 0},
              .bumper = {.count = 6, .radius = 0.19, .first = 0},
+             .period = 0.2},
+    Platform{.name = "alice",
+             .body = {.radius = 0.15,
+                      .v_max = 0.25,
+                      .v_min = 0,
+                      .w_max = 1.5707963267948966,
+                      .a_v = 1.25,
+                      .a_w = 6.283185307179586,
+                      .drive = Drive::omnidirectional},
+             .sonar = {.count = 0, .radius = 0.15, .first = 0},
+             .bumper = {.count = 0, .radius = 0.15, .first = 0},
+             .whisker = {.count = 24, .radius = 0.15, .first = 0},
+             .light = {.count = 24, .radius = 0.15, .first = 0},
              .period = 0.2},
 };
 

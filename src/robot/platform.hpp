@@ -9,6 +9,14 @@
 
 namespace meander {
 
+/// How the body moves: along its heading and turning, or in any direction.
+enum class Drive { unicycle, omnidirectional };
+template <>
+struct EnumNames<Drive> {
+  static constexpr std::pair<Drive, const char*> entries[] = {{Drive::unicycle, "unicycle"},
+                                                              {Drive::omnidirectional, "omnidirectional"}};
+};
+
 /// Round body with its limits.
 struct Body {
   double radius = 0.2667;
@@ -17,6 +25,7 @@ struct Body {
   double w_max = 0.7853981633974483;
   double a_v = 0.762;
   double a_w = 1.0471975511965976;
+  Drive drive = Drive::unicycle;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, Body>
@@ -27,6 +36,7 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"w_max", "rad/s", "largest turning rate", 0, 100}, o.w_max);
   visit(Field{"a_v", "m/s^2", "largest acceleration and braking", 1e-3, 1000}, o.a_v);
   visit(Field{"a_w", "rad/s^2", "largest turning acceleration", 1e-3, 1000}, o.a_w);
+  visit(Field{"drive", "", "unicycle: forward and turning; omnidirectional: in any direction"}, o.drive);
 }
 
 /// Where the transducers sit: evenly spaced on a circle, the first forward, counter-clockwise.
@@ -49,6 +59,8 @@ struct Platform {
   Body body;
   RingLayout sonar;
   RingLayout bumper{20, 0.2667, 0};
+  RingLayout whisker{0, 0.15, 0};
+  RingLayout light{0, 0.15, 0};
   double period = 0.33;  ///< control cycle [s]
 };
 template <class Options, class Visitor>
@@ -58,6 +70,8 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"body", "", "size and limits of the body"}, o.body);
   visit(Field{"sonar", "", "places of the sonars"}, o.sonar);
   visit(Field{"bumper", "", "places of the bumpers"}, o.bumper);
+  visit(Field{"whisker", "", "places of the whiskers' roots"}, o.whisker);
+  visit(Field{"light", "", "places of the light sensors"}, o.light);
   visit(Field{"period", "s", "control cycle", 0.001, 10}, o.period);
 }
 

@@ -14,9 +14,12 @@ using ObservationPtr = std::shared_ptr<Observation>;
 Pose2 pose(const Observation& o) { return o.odometry.pose; }
 double v(const Observation& o) { return o.odometry.v; }
 double w(const Observation& o) { return o.odometry.w; }
+double vy(const Observation& o) { return o.odometry.vy; }
 Numbers sonar(const ObservationPtr& o) { return numbers_of(o, o->readings.sonar); }
 std::vector<Pose2> sonar_poses(const Observation& o) { return o.readings.sonar_pose; }
 Numbers bumper(const ObservationPtr& o) { return numbers_of(o, o->readings.bumper); }
+Numbers whisker(const ObservationPtr& o) { return numbers_of(o, o->readings.whisker); }
+Numbers light(const ObservationPtr& o) { return numbers_of(o, o->readings.light); }
 bool bumped(const Observation& o) {
   return std::any_of(o.readings.bumper.begin(), o.readings.bumper.end(), [](std::uint8_t pressed) { return pressed; });
 }
@@ -30,6 +33,7 @@ const RobotState& of(const RobotView& robot) { return robot.sim->state(robot.ind
 Pose2 true_pose(const RobotView& robot) { return of(robot).pose_world; }
 double true_v(const RobotView& robot) { return of(robot).v; }
 double true_w(const RobotView& robot) { return of(robot).w; }
+double true_vy(const RobotView& robot) { return of(robot).vy; }
 bool touching(const RobotView& robot) { return of(robot).touching; }
 int contacts(const RobotView& robot) { return of(robot).contacts; }
 int fault_contacts(const RobotView& robot) { return of(robot).fault_contacts; }
@@ -59,6 +63,10 @@ void bind_robot_view(lua_State* L) {
           .name = "v", .text = "Its true forward speed.", .unit = "m/s", .example = EXAMPLE_SIM "print(s.state.v)"})
       .property<&true_w>(PropertyDoc{
           .name = "w", .text = "Its true turning rate.", .unit = "rad/s", .example = EXAMPLE_SIM "print(s.state.w)"})
+      .property<&true_vy>(PropertyDoc{.name = "vy",
+                                      .text = "Its true speed to the left; 0 for unicycles.",
+                                      .unit = "m/s",
+                                      .example = EXAMPLE_SIM "print(s.state.vy)"})
       .property<&touching>(PropertyDoc{.name = "touching",
                                        .text = "Was it in contact at the end of the cycle?",
                                        .example = EXAMPLE_SIM "print(s.state.touching)"})
@@ -84,7 +92,8 @@ void bind_robot_view(lua_State* L) {
 }  // namespace
 
 void bind_observation(lua_State* L) {
-  Type<Observation>(L, "All that the robot side gets to see in a control cycle: sonar, bumpers, odometry.")
+  Type<Observation>(
+      L, "All that the robot side gets to see in a control cycle: sonar, bumpers, whiskers, light, odometry.")
       .property<&Observation::time>(PropertyDoc{.name = "time",
                                                 .text = "Time since the start.",
                                                 .unit = "s",
@@ -101,6 +110,10 @@ void bind_observation(lua_State* L) {
           .name = "v", .text = "Forward speed.", .unit = "m/s", .example = EXAMPLE_SIM "print(s.observation.v)"})
       .property<&w>(PropertyDoc{
           .name = "w", .text = "Turning rate.", .unit = "rad/s", .example = EXAMPLE_SIM "print(s.observation.w)"})
+      .property<&vy>(PropertyDoc{.name = "vy",
+                                 .text = "Speed to the left; 0 for unicycles.",
+                                 .unit = "m/s",
+                                 .example = EXAMPLE_SIM "print(s.observation.vy)"})
       .property<&sonar>(
           PropertyDoc{.name = "sonar",
                       .text = "Ranges in ring order, the first forward, counter-clockwise; the largest range: no echo.",
@@ -113,6 +126,12 @@ void bind_observation(lua_State* L) {
       .property<&bumper>(PropertyDoc{.name = "bumper",
                                      .text = "Bumpers in ring order; 1: pressed.",
                                      .example = EXAMPLE_SIM "print(#s.observation.bumper)"})
+      .property<&whisker>(PropertyDoc{.name = "whisker",
+                                      .text = "Whiskers in ring order; 1: bent.",
+                                      .example = EXAMPLE_SIM "print(#s.observation.whisker)"})
+      .property<&light>(PropertyDoc{.name = "light",
+                                    .text = "Light sensors in ring order: brightness, compressed by the logarithm.",
+                                    .example = EXAMPLE_SIM "print(#s.observation.light)"})
       .property<&bumped>(PropertyDoc{
           .name = "bumped", .text = "Is any bumper pressed?", .example = EXAMPLE_SIM "print(s.observation.bumped)"})
       .text<&observation_text>();

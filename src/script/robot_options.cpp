@@ -19,7 +19,7 @@ PoseOption Lua<PoseOption>::read(lua_State* L, int index, const Path& path) {
 }
 
 RobotOptions robot_options(const RobotTable& table, const World& world) {
-  RobotOptions options{table.robot.value, table.sonar.value, table.drift, {}};
+  RobotOptions options{table.robot.value, table.sonar.value, table.drift.value, table.whisker, table.light, {}};
   if (table.start) options.start = table.start->in(world);
   return options;
 }

@@ -18,6 +18,12 @@ struct PresetSource<SonarOptions> {
   static std::vector<std::string> names() { return sonar_preset_names(); }
 };
 
+template <>
+struct PresetSource<DriftOptions> {
+  static DriftOptions get(const std::string& name) { return drift_preset(name); }
+  static std::vector<std::string> names() { return drift_preset_names(); }
+};
+
 /// A pose, or the name of a place.
 struct PoseOption {
   Pose2 pose;
@@ -34,14 +40,18 @@ struct Lua<PoseOption> {
 struct RobotTable {
   Preset<Platform> robot;
   Preset<SonarOptions> sonar;
-  DriftOptions drift;
+  Preset<DriftOptions> drift;
+  WhiskerOptions whisker;
+  LightSensorOptions light;
   std::optional<PoseOption> start;
 };
 template <class Options, class Visitor>
 void robot_fields(Options& o, Visitor&& visit) {
   visit(Field{"robot", "", "kind of robot, by name or in detail"}, o.robot);
   visit(Field{"sonar", "", "model of the sonars, by name or in detail"}, o.sonar);
-  visit(Field{"drift", "", "errors of the odometry; none when left out"}, o.drift);
+  visit(Field{"drift", "", "errors of the odometry, by name or in detail; none when left out"}, o.drift);
+  visit(Field{"whisker", "", "model of the whiskers, for platforms that have some"}, o.whisker);
+  visit(Field{"light", "", "model of the light sensors, for platforms that have some"}, o.light);
   visit(Field{"start", "m, rad", "where it starts; the world's start when left out"}, o.start);
 }
 template <class Options, class Visitor>

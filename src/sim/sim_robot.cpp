@@ -3,6 +3,7 @@
 #include "sim/sim_robot.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "robot/kinematics.hpp"
 #include "sensor/bumper.hpp"
@@ -19,7 +20,9 @@ SimRobot::SimRobot(const RobotOptions& options, const Pose2& start, std::uint32_
     : options_(options),
       self_(self),
       sonar_(options.platform.sonar, options.sonar, seed),
-      drift_(options.drift, seed),
+      whiskers_(options.platform.whisker, options.whisker, seed),
+      lights_(options.platform.light, options.light, seed),
+      drift_(options.drift, seed, options.platform.body.drive),
       queue_(static_cast<std::size_t>(command_delay)) {
   const auto sonars = static_cast<std::size_t>(options.platform.sonar.count);
   state_.pose_world = {start.x, start.y, wrap_angle(start.heading)};
@@ -27,6 +30,8 @@ SimRobot::SimRobot(const RobotOptions& options, const Pose2& start, std::uint32_
   observation_.readings.sonar.resize(sonars);
   observation_.readings.sonar_pose.resize(sonars);
   observation_.readings.bumper.resize(static_cast<std::size_t>(options.platform.bumper.count));
+  observation_.readings.whisker.resize(static_cast<std::size_t>(options.platform.whisker.count));
+  observation_.readings.light.resize(static_cast<std::size_t>(options.platform.light.count));
   firing_world_.resize(sonars);
   track_world_.assign(1, state_.pose_world);
   track_odometry_.assign(1, state_.pose_world);
@@ -46,17 +51,20 @@ void SimRobot::begin_cycle(const Command& command, double period) {
 void SimRobot::move(const Scene& scene, std::span<const Vec2> strides, double dt) {
   const Body& body = options_.platform.body;
   const Ramped v = ramped(state_.v, command_.v, body.a_v, dt);
+  const Ramped vy = ramped(state_.vy, command_.vy, body.a_v, dt);
   const Ramped w = ramped(state_.w, command_.w, body.a_w, dt);
   const Pose2 from = state_.pose_world;
-  Pose2 to = arc(from, v.mean, w.mean, dt);
+  Pose2 to = twist(from, v.mean, vy.mean, w.mean, dt);
   stride_ = to.position() - from.position();
   const double share = way(scene, strides, stride_);
   if (share < 1) {  // stopped at the surface; turning on the spot goes on
     to.x = from.x + share * stride_.x();
     to.y = from.y + share * stride_.y();
   }
-  const double driven = std::abs(v.mean) * dt * std::min(share, 1.0);
+  const double speed = vy.mean == 0 ? std::abs(v.mean) : std::sqrt(v.mean * v.mean + vy.mean * vy.mean);
+  const double driven = speed * dt * std::min(share, 1.0);
   state_.v = share < 1 ? 0 : v.end;
+  state_.vy = share < 1 ? 0 : vy.end;
   state_.w = w.end;
   state_.travelled += driven;
   state_.pose_world = to;
@@ -145,13 +153,15 @@ void SimRobot::sense(const Scene& scene, double time, double period) {
   measure_clearance(scene);
   observation_.time = time;
   observation_.period = period;
-  observation_.odometry = {track_odometry_.back(), state_.v, state_.w};
+  observation_.odometry = {track_odometry_.back(), state_.v, state_.w, state_.vy};
   scan(scene);
   auto& bumper = observation_.readings.bumper;
   if (state_.clearance > kBumperReach)
     std::fill(bumper.begin(), bumper.end(), std::uint8_t{0});
   else
     read_bumpers(scene, options_.platform.bumper, kBumperReach, state_.pose_world, self_, bumper);
+  whiskers_.read(scene, state_.pose_world, self_, observation_.readings.whisker);
+  lights_.read(scene, state_.pose_world, self_, observation_.readings.light);
 }
 
 void SimRobot::add_to(Hash& hash) const {
@@ -167,6 +177,20 @@ void SimRobot::add_to(Hash& hash) const {
   for (const std::uint8_t pressed : observation_.readings.bumper) hash.add(std::uint64_t{pressed});
   sonar_.add_to(hash);
   drift_.add_to(hash);
+  add_further(hash);
+}
+
+/// What only some platforms have.
+void SimRobot::add_further(Hash& hash) const {
+  const Platform& platform = options_.platform;
+  if (platform.body.drive == Drive::omnidirectional) {
+    hash.add(state_.vy);
+    for (const Command& command : queue_) hash.add(command.vy);
+  }
+  if (platform.whisker.count > 0) whiskers_.add_to(hash);
+  if (platform.light.count > 0) lights_.add_to(hash);
+  for (const std::uint8_t bent : observation_.readings.whisker) hash.add(std::uint64_t{bent});
+  for (const double brightness : observation_.readings.light) hash.add(brightness);
 }
 
 }  // namespace meander

@@ -8,8 +8,10 @@
 #include "robot/contracts.hpp"
 #include "robot/drift.hpp"
 #include "robot/platform.hpp"
+#include "sensor/light.hpp"
 #include "sensor/scene.hpp"
 #include "sensor/sonar.hpp"
+#include "sensor/whisker.hpp"
 #include "sim/contact.hpp"
 
 namespace meander {
@@ -19,6 +21,8 @@ struct RobotOptions {
   Platform platform;
   SonarOptions sonar;
   DriftOptions drift;
+  WhiskerOptions whisker;
+  LightSensorOptions light;
   std::optional<Pose2> start;  ///< none: the world's start
 };
 
@@ -27,6 +31,7 @@ struct RobotState {
   Pose2 pose_world;
   double v = 0;
   double w = 0;
+  double vy = 0;           ///< to the left; 0 for unicycles
   bool touching = false;   ///< in contact at the end of the cycle
   int contacts = 0;        ///< contact episodes so far
   int fault_contacts = 0;  ///< of these, by the robot's own motion
@@ -66,10 +71,13 @@ class SimRobot {
   void touch(bool own_fault);
   void measure_clearance(const Scene& scene);
   void scan(const Scene& scene);
+  void add_further(Hash& hash) const;
 
   RobotOptions options_;
   std::uint32_t self_;  ///< owner number in scene.moving
   SonarRing sonar_;
+  WhiskerRing whiskers_;
+  LightRing lights_;
   Drift drift_;
   RobotState state_;
   Observation observation_;

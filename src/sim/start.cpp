@@ -55,6 +55,8 @@ std::vector<Pose2> checked_starts(const World& world, const std::vector<RobotOpt
     validate(robots[k].platform, who + "platform.");
     validate(robots[k].sonar, who + "sonar.");
     validate(robots[k].drift, who + "drift.");
+    validate(robots[k].whisker, who + "whisker.");
+    validate(robots[k].light, who + "light.");
     const double radius = robots[k].platform.body.radius;
     starts.push_back(start_of(world, robots[k], who));
     check_free(world, starts[k], radius, who);

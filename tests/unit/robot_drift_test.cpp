@@ -87,5 +87,25 @@ TEST(DriftTest, PresetsAreValidAndMisuseIsNamed) {
   EXPECT_THROW(Drift({.turn_noise = -1}, 1), ArgumentError);
 }
 
+TEST(DriftTest, SlipIsAShareOfTheWayAndTurnsSlowly) {
+  // Straight ahead in steps of 5 cm, as [Z] section 1 has it: 20 to 25 % of the way, hardly turned from step to step.
+  DriftOptions slip;
+  slip.slip = 0.225;
+  slip.slip_spread = 0.025;
+  Drift drift(slip, 3, Drive::omnidirectional);
+  double alike = 0;
+  Vec2 before(0, 0);
+  constexpr int kSteps = 20000;
+  for (int i = 0; i < kSteps; ++i) {
+    const Pose2 told = drift.advance({0, 0, 0}, {0, 0, 0}, {0.03, 0.04, 0});
+    const Vec2 error = told.position() - Vec2(0.03, 0.04);
+    EXPECT_GE(error.norm(), 0.2 * 0.05 - 1e-12);
+    EXPECT_LE(error.norm(), 0.25 * 0.05 + 1e-12);
+    if (i > 0) alike += error.normalized().dot(before.normalized());
+    before = error;
+  }
+  EXPECT_NEAR(alike / (kSteps - 1), 0.9512, 0.005);  // e^-0.05
+}
+
 }  // namespace
 }  // namespace meander

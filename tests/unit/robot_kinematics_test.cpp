@@ -125,6 +125,25 @@ TEST(Between, MeetsBothEndsAndTurnsTheShortWay) {
   EXPECT_NEAR(std::abs(between(from, to, 0.5).heading), kPi, 1e-12);
 }
 
+TEST(Kinematics, OmnidirectionalBodiesGoAnyWayAtTheirFastest) {
+  const Body& body = platform("alice").body;
+  const Command fast = limited({3, 0.5, -4}, body);
+  EXPECT_NEAR(fast.v, 0.6 * body.v_max, 1e-15);
+  EXPECT_NEAR(fast.vy, -0.8 * body.v_max, 1e-15);
+  EXPECT_EQ(fast.w, 0.5);
+  EXPECT_EQ(limited({std::nan(""), 0, std::numeric_limits<double>::infinity()}, body), Command{});
+  EXPECT_EQ(limited({0.2, 0, 0.2}, platform("nomad200").body).vy, 0);
+}
+
+TEST(Kinematics, TwistGoesRoundInACircle) {
+  // Sideways with a quarter turn: the centre of the circle lies ahead, a radius of vy/w away.
+  const Pose2 at = twist({1, 2, 0}, 0, 1, kPi / 2, 1);
+  const double radius = 2 / kPi;
+  EXPECT_NEAR(at.x, 1 - radius, 1e-12);
+  EXPECT_NEAR(at.y, 2 + radius, 1e-12);
+  EXPECT_NEAR(at.heading, kPi / 2, 1e-12);
+}
+
 TEST(PlatformTest, PresetsAreValidAndUnknownNamesAreListed) {
   for (const std::string& name : platform_names()) {
     EXPECT_EQ(platform(name).name, name);
@@ -135,7 +154,7 @@ TEST(PlatformTest, PresetsAreValidAndUnknownNamesAreListed) {
     platform("nomad");
     FAIL();
   } catch (const ArgumentError& e) {
-    EXPECT_STREQ(e.what(), "unknown platform 'nomad'; known: nomad200, scout; did you mean 'nomad200'?");
+    EXPECT_STREQ(e.what(), "unknown platform 'nomad'; known: nomad200, scout, alice; did you mean 'nomad200'?");
   }
 }
 
