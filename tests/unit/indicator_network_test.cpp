@@ -23,18 +23,21 @@ using Edge = RouteLinks::Edge;
 /// How many random graphs: all of them with MEANDER_GRAPHS=10000.
 int graphs() {
   const char* wanted = std::getenv("MEANDER_GRAPHS");
-  return wanted ? std::atoi(wanted) : 400;
+  return wanted ? std::atoi(wanted) : 2000;
 }
 
 /// Sparse or dense, connected or not; lengths with ties, parallel links, links of an indicator with itself.
 std::vector<Edge> random_edges(Stream& random, int n) {
   const int count = static_cast<int>(n * random.uniform(0.5, 3));
   const bool ties = random.chance(0.4);
+  const bool long_ways = random.chance(0.3);
+  const int near = 1 + random.below(4);
   std::vector<Edge> edges;
   for (int i = 0; i < count; ++i) {
     const int a = random.below(n);
     // Mostly near neighbours, so that routes have many links.
-    const int b = random.chance(0.8) ? std::clamp(a + random.below(9) - 4, 0, n - 1) : random.below(n);
+    const int b = random.chance(long_ways ? 1 : 0.8) ? std::clamp(a + random.below(2 * near + 1) - near, 0, n - 1)
+                                                     : random.below(n);
     edges.push_back({a, b, ties ? 1 + random.below(3) : random.uniform(0.5, 10)});
     if (random.chance(0.05)) edges.push_back({b, a, edges.back().length * (random.chance(0.5) ? 1 : 1.5)});
   }
