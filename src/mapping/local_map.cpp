@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "mapping/local_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mapping/cell_places.hpp"
+#include "mapping/log_odds.hpp"
+
+namespace meander {
+namespace {
+
+const LocalMapOptions& checked(const LocalMapOptions& options) {
+  validate(options);
+  return options;
+}
+
+constexpr double kFarthest = 1e9;  ///< cells from the origin: far below where integers end
+
+int modulo(int value, int size) {
+  const int rest = value % size;
+  return rest < 0 ? rest + size : rest;
+}
+
+}  // namespace
+
+LocalMap::LocalMap(const Platform& platform, SonarModel model, const LocalMapOptions& options)
+    : options_(checked(options)),
+      model_(std::move(model)),
+      limit_(log_odds_of(options.fusion.certainty)),
+      body_radius_(static_cast<float>(platform.body.radius)),
+      sweeps_(platform.sonar, options.range_max),
+      views_(options.fusion, options.fusion.rule == Fusion::viewbin ? options.size : 0, options.resolution),
+      low_{-options.size / 2, -options.size / 2} {
+  if (model_.ring.count != platform.sonar.count || std::abs(model_.ring.radius - platform.sonar.radius) > 1e-9 ||
+      std::abs(angle_between(model_.ring.first, platform.sonar.first)) > 1e-9)
+    fail("model \"{}\": made for a ring of {} sonars of radius {} m, got a robot with {} of radius {} m", model_.name,
+         model_.ring.count, model_.ring.radius, platform.sonar.count, platform.sonar.radius);
+  const auto cells = static_cast<std::size_t>(options_.size) * static_cast<std::size_t>(options_.size);
+  for (auto* list : {&range_, &bearing_, &told_, &increments_, &cells_}) list->resize(cells);
+}
+
+/// One scan, as [CN] Figure 1 and section 3.1 list it.
+void LocalMap::step(const Observation& observation) {
+  const Pose2& pose = observation.odometry.pose;
+  slide(pose);                                                         // 3.3 local maps
+  place_cells(pose);                                                   // Figure 3: R and theta of every cell
+  const SonarSweep sweep = sweeps_.sweep(observation.readings, pose);  // Figure 1: sensor readings
+  model_.evaluate(sweep, {range_, bearing_}, told_);                   // sensors selector and network: P(c|o)
+  weigh(pose.heading);                                                 // what of it is new
+  update();                                                            // [CN] eq. (4)
+}
+
+/// The robot's cell stays in the middle; cells that enter are unknown.
+void LocalMap::slide(const Pose2& robot) {
+  const double reach = kFarthest * options_.resolution;
+  if (!(std::abs(robot.x) < reach && std::abs(robot.y) < reach && std::isfinite(robot.heading)))
+    fail("a pose within {} m of the origin expected, got ({}, {}, {})", reach, robot.x, robot.y, robot.heading);
+  const int size = options_.size;
+  const Cell middle = cell(robot.position()), to{middle.x - size / 2, middle.y - size / 2}, from = low_;
+  low_ = to;
+  if (to == from) return;
+  if (std::abs(to.x - from.x) >= size || std::abs(to.y - from.y) >= size) return clear();
+  const auto was_there = [&](int at, int low) { return at >= low && at < low + size; };
+  for (int y = to.y; y < to.y + size; ++y) {
+    const bool new_row = !was_there(y, from.y);
+    if (!new_row && to.x == from.x) continue;
+    const int begin = new_row || to.x < from.x ? to.x : from.x + size;
+    const int end = new_row || to.x > from.x ? to.x + size : from.x;
+    for (int x = begin; x < end; ++x) forget({x, y});
+  }
+}
+
+void LocalMap::clear() {
+  for (int y = low_.y; y < low_.y + options_.size; ++y)
+    for (int x = low_.x; x < low_.x + options_.size; ++x) forget({x, y});
+}
+
+void LocalMap::forget(Cell cell) {
+  const std::size_t at = slot(cell);
+  cells_[at] = 0;
+  if (options_.fusion.rule == Fusion::viewbin) views_.forget(at);
+}
+
+std::size_t LocalMap::slot(Cell cell) const {
+  const int x = modulo(cell.x, options_.size), y = modulo(cell.y, options_.size);
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(options_.size) + static_cast<std::size_t>(x);
+}
+
+void LocalMap::place_cells(const Pose2& pose) {
+  cell_places(center(low_) - pose.position(), options_.resolution, options_.size, options_.size,
+              wrap_angle(pose.heading), range_, bearing_);
+}
+
+/// Where the robot stands nothing else does.
+void LocalMap::weigh(double heading) {
+  const bool by_view = options_.fusion.rule == Fusion::viewbin;
+  const auto turned = static_cast<float>(wrap_angle(heading));
+  const auto size = static_cast<std::size_t>(options_.size);
+  std::size_t i = 0;
+  for (int row = 0; row < options_.size; ++row) {
+    const std::size_t begin = slot({0, low_.y + row});
+    auto column = static_cast<std::size_t>(modulo(low_.x, options_.size));
+    for (std::size_t k = 0; k < size; ++k, ++i, column = column + 1 < size ? column + 1 : 0) {
+      const float told = std::clamp(told_[i], -limit_, limit_);
+      if (range_[i] < body_radius_)
+        increments_[i] = -2 * limit_;
+      else if (by_view && told != 0)
+        increments_[i] = views_.increment(begin + column, views_.view(bearing_[i] + turned, range_[i]), told);
+      else
+        increments_[i] = told;
+    }
+  }
+}
+
+/// [CN] eq. (4) with eq. (5): the odds are multiplied, so their logarithms are added.
+void LocalMap::update() {
+  const auto size = static_cast<std::size_t>(options_.size);
+  const auto column = static_cast<std::size_t>(modulo(low_.x, options_.size));
+  for (std::size_t row = 0; row < size; ++row) {
+    float* cells = cells_.data() + slot({0, low_.y + static_cast<int>(row)});
+    const float* increments = increments_.data() + row * size;
+    add_evidence(cells + column, increments, size - column, limit_);
+    add_evidence(cells, increments + (size - column), column, limit_);
+  }
+}
+
+Grid<float> LocalMap::log_odds() const {
+  const double side = options_.resolution;
+  Grid<float> window(options_.size, options_.size, 0, {side, {low_.x * side, low_.y * side, 0}});
+  for (int y = 0; y < options_.size; ++y)
+    for (int x = 0; x < options_.size; ++x) window[{x, y}] = cells_[slot({low_.x + x, low_.y + y})];
+  return window;
+}
+
+std::size_t LocalMap::bytes() const {
+  return sizeof(*this) + views_.bytes() +
+         (told_.capacity() + increments_.capacity() + 6 * cells_.capacity()) * sizeof(float);
+}
+
+}  // namespace meander

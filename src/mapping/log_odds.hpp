@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <Eigen/Core>
+#include <cmath>
+
+namespace meander {
+
+/// ln(p / (1 - p)).
+inline float log_odds_of(double p) { return static_cast<float>(std::log(p / (1 - p))); }
+/// [CN] eq. (2): 1 - 1 / (1 + b), b the odds.
+inline float probability_of(float log_odds) { return 1 - 1 / (1 + std::exp(log_odds)); }
+
+/// Adds evidence to `count` cells, each of which stays within the limit.
+inline void add_evidence(float* cells, const float* increments, std::size_t count, float limit) {
+  const auto n = static_cast<Eigen::Index>(count);
+  Eigen::Map<Eigen::ArrayXf> sums(cells, n);
+  sums = (sums + Eigen::Map<const Eigen::ArrayXf>(increments, n)).max(-limit).min(limit);
+}
+
+}  // namespace meander
