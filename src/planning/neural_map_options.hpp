@@ -15,19 +15,48 @@ struct EnumNames<NeuralSolver> {
                                                                      {NeuralSolver::synchronous, "synchronous"}};
 };
 
+/// How much of the map is solved: all of it, or as much as the path from the start needs.
+enum class NeuralExtent { map, start };
+template <>
+struct EnumNames<NeuralExtent> {
+  static constexpr std::pair<NeuralExtent, const char*> entries[] = {{NeuralExtent::map, "map"},
+                                                                     {NeuralExtent::start, "start"}};
+};
+
+/// f of the weights: 1 / rho or exp(-gamma rho^2), rho the cost of the step.
+enum class WeightLaw { inverse, gaussian };
+template <>
+struct EnumNames<WeightLaw> {
+  static constexpr std::pair<WeightLaw, const char*> entries[] = {{WeightLaw::inverse, "inverse"},
+                                                                  {WeightLaw::gaussian, "gaussian"}};
+};
+
 struct NeuralMapOptions {
-  NeuralSolver solver = NeuralSolver::active_list;
+  NeuralSolver solver = NeuralSolver::tiles;
+  NeuralExtent extent = NeuralExtent::map;
+  int extra_patterns = 0;
+  WeightLaw weights = WeightLaw::inverse;
+  double gamma = 0.5;
   double steepness = 0.68;
   double tolerance = 1e-6;
+  int threads = 1;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, NeuralMapOptions>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"solver", "", "how the equilibrium is found"}, o.solver);
+  visit(Field{"extent", "", "solve the whole map, or what the path from the start needs"}, o.extent);
+  visit(Field{"extra_patterns", "",
+              "raster and synchronous with extent start: so many patterns more than the front needs", 0, 1000},
+        o.extra_patterns);
+  visit(Field{"weights", "", "weight of a connection of cost rho: 1 / rho or exp(-gamma rho^2)"}, o.weights);
+  visit(Field{"gamma", "", "of gaussian weights", 0, 10}, o.gamma);
   visit(Field{"steepness", "", "beta times the largest sum of a unit's weights; 0.68 is the paper's beta of 0.1", 0.35,
               0.9},
         o.steepness);
   visit(Field{"tolerance", "", "largest relative error of a unit's equation at the end", 1e-12, 1e-2}, o.tolerance);
+  visit(Field{"threads", "", "of the tiles solver; 0: all cores; the same landscape with any number", 0, 256},
+        o.threads);
 }
 
 }  // namespace meander
