@@ -146,13 +146,15 @@ void IndicatorGraph::set_tries(const PortRef& ref, int tries) {
   ++revision_;
 }
 
-void IndicatorGraph::set_seen(const PortRef& ref, double reach, bool hidden) {
+void IndicatorGraph::set_seen(const PortRef& ref, double reach, int misses) {
   Port& port = at(ref);
-  if (port.reach == reach && port.hidden == hidden) return;
+  if (port.reach == reach && port.misses == misses) return;
   port.reach = reach;
-  port.hidden = hidden;
+  port.misses = misses;
   ++revision_;
 }
+
+void IndicatorGraph::pass(const PortRef& ref) { ++at(ref).passed; }
 
 bool IndicatorGraph::alive(IndicatorId id) const {
   return id.slot < slots_.size() && slots_[id.slot].indicator && slots_[id.slot].generation == id.generation;

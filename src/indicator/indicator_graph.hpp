@@ -37,9 +37,10 @@ struct Port {
   PortState state = PortState::unknown;  ///< linked: `link` tells where to
   int link = -1;                         ///< index in links(); -1: none
   int tries = 0;                         ///< entered so often without knowing where it leads
+  int passed = 0;                        ///< driven through so often, out or in
   int failures = 0;                      ///< found closed so often
   int closed_run = 0;                    ///< the run in which it was found closed last
-  bool hidden = false;                   ///< was not to be seen at the last visit
+  int misses = 0;                        ///< visits in a row at which it was not to be seen
 };
 
 /// A port, or (port -1) the indicator itself: a link by sight leaves by no port.
@@ -85,7 +86,8 @@ class IndicatorGraph {
   /// A blocked port or dead end is unknown again.
   void reopen(const PortRef& ref);
   void set_tries(const PortRef& ref, int tries);
-  void set_seen(const PortRef& ref, double reach, bool hidden);
+  void set_seen(const PortRef& ref, double reach, int misses);
+  void pass(const PortRef& ref);  ///< the robot drove through
 
   bool alive(IndicatorId id) const;
   const Indicator& get(IndicatorId id) const;

@@ -86,7 +86,11 @@ void PathNetwork::forget_last_row() {
   first_.pop_back();
   fired_.resize(first_.back());
   std::fill(potential_.begin(), potential_.end(), kInfinite);
-  for (const Excited& neuron : fired_) potential_[static_cast<std::size_t>(neuron.indicator)] = neuron.potential;
+  std::fill(place_.begin(), place_.end(), -1);
+  for (std::size_t i = 0; i < fired_.size(); ++i) {
+    potential_[static_cast<std::size_t>(fired_[i].indicator)] = fired_[i].potential;
+    place_[static_cast<std::size_t>(fired_[i].indicator)] = static_cast<int>(i);
+  }
 }
 
 /// The layer with as many rows as there are now has a candidate if the goal fired in its last row.
@@ -102,9 +106,21 @@ std::optional<PathNetwork::Candidate> PathNetwork::selected() const {
                            [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
 }
 
-Route PathNetwork::decrypt(const Candidate& candidate) const {
-  Route route{.indicators = std::vector<int>(static_cast<std::size_t>(candidate.rows)), .length = candidate.length};
-  int neuron = candidate.neuron;
+Route PathNetwork::decrypt(const Candidate& candidate) const { return trace(candidate.neuron, candidate.rows); }
+
+Route PathNetwork::route_to(int column) const {
+  check_column("column", column, static_cast<int>(place_.size()));
+  const int neuron = place_[static_cast<std::size_t>(column)];
+  if (neuron < 0) return {};
+  int rows = 1;
+  for (int i = neuron; (i = fired_[static_cast<std::size_t>(i)].winner) >= 0;) ++rows;
+  return trace(neuron, rows);
+}
+
+/// One neuron per row, from the last row to the first.
+Route PathNetwork::trace(int neuron, int rows) const {
+  Route route{.indicators = std::vector<int>(static_cast<std::size_t>(rows)),
+              .length = fired_[static_cast<std::size_t>(neuron)].potential};
   for (auto place = route.indicators.rbegin(); place != route.indicators.rend(); ++place) {
     const Excited& excited = fired_[static_cast<std::size_t>(neuron)];
     *place = excited.indicator;

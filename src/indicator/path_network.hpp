@@ -58,6 +58,8 @@ class PathNetwork {
   const std::vector<Candidate>& candidates() const { return candidates_; }
   /// The route that a candidate stands for, from neuron to the winner that excited it.
   Route decrypt(const Candidate& candidate) const;
+  /// The route to any column that excitation came to, after excite() without a goal; empty: none came.
+  Route route_to(int column) const;
 
   /// The rows ended before the network came to rest: a shorter route, or any, may need more.
   bool truncated() const { return truncated_; }
@@ -73,6 +75,7 @@ class PathNetwork {
   bool fire(const RouteLinks& links, std::optional<int> goal);
   void forget_last_row();
   void offer(int goal);
+  Route trace(int neuron, int rows) const;
 
   std::vector<Excited> fired_;
   std::vector<std::size_t> first_;  ///< of each row in fired_, and the end
