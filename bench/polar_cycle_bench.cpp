@@ -8,6 +8,7 @@
 #include <map>
 
 #include "../tests/unit/polar_support.hpp"
+#include "polar/polar_lines.hpp"
 #include "polar/polar_navigator.hpp"
 
 namespace meander {
@@ -75,15 +76,18 @@ void gauss_seidel(benchmark::State& state) {
   });
 }
 
-void solver(benchmark::State& state) {
+void solver_with(benchmark::State& state, const polar::LineKernels& kernels) {
   Setup& here = setup(state);
-  PolarSolver solver(here.layout, here.weights);
+  PolarSolver solver(here.layout, here.weights, &kernels);
   const double seconds = run(state, [&](std::size_t k) {
     solver.solve(here.maps[k].layer(0), here.layout.rings() - 1);
     benchmark::DoNotOptimize(solver.activation(0, 0));
   });
   if (here.plain_seconds > 0) state.counters["plain/this"] = here.plain_seconds / seconds;
 }
+
+void solver(benchmark::State& state) { solver_with(state, polar::line_kernels().back()); }
+void solver_portable(benchmark::State& state) { solver_with(state, polar::line_kernels().front()); }
 
 void projection(benchmark::State& state) {
   Setup& here = setup(state);
@@ -127,6 +131,7 @@ void sizes(benchmark::internal::Benchmark* b) {
 }
 BENCHMARK(gauss_seidel)->Apply(sizes);
 BENCHMARK(solver)->Apply(sizes);
+BENCHMARK(solver_portable)->Apply(sizes);
 BENCHMARK(projection)->Apply(sizes);
 BENCHMARK(cycle)->Apply(sizes);
 

@@ -6,54 +6,88 @@
 
 namespace meander::polar {
 
-inline constexpr int kLanes = 2;  ///< to a register of the plainest machine; four or eight gain a tenth
-inline constexpr int kParts = 8 / kLanes;
-using Lane = double __attribute__((vector_size(8 * kLanes)));
+template <int Lanes>
+struct Register;
+template <>
+struct Register<2> {
+  using Type = double __attribute__((vector_size(16)));
+};
+template <>
+struct Register<4> {
+  using Type = double __attribute__((vector_size(32)));
+};
+template <>
+struct Register<8> {
+  using Type = double __attribute__((vector_size(64)));
+};
 
-/// Eight numbers.
+/// Eight numbers, in registers of `Lanes`. What is done to one of them does not depend on how many share a register:
+/// the same bits whichever machine it runs on.
+template <int Lanes>
 struct Block {
+  using Lane = typename Register<Lanes>::Type;
+  static constexpr int kParts = 8 / Lanes;
   Lane part[kParts];
 };
 
 // Part by part: a block copied at once goes through memory in pieces of another size than it is read in.
-[[gnu::always_inline]] inline void load(Block& out, const double* from) {
+template <int Lanes>
+[[gnu::always_inline]] inline void load(Block<Lanes>& out, const double* from) {
 #pragma GCC unroll 4
-  for (int p = 0; p < kParts; ++p) std::memcpy(&out.part[p], from + p * kLanes, sizeof(Lane));
+  for (int p = 0; p < Block<Lanes>::kParts; ++p) std::memcpy(&out.part[p], from + p * Lanes, 8 * Lanes);
 }
-[[gnu::always_inline]] inline void store(double* to, const Block& in) {
+template <int Lanes>
+[[gnu::always_inline]] inline void store(double* to, const Block<Lanes>& in) {
 #pragma GCC unroll 4
-  for (int p = 0; p < kParts; ++p) std::memcpy(to + p * kLanes, &in.part[p], sizeof(Lane));
+  for (int p = 0; p < Block<Lanes>::kParts; ++p) std::memcpy(to + p * Lanes, &in.part[p], 8 * Lanes);
 }
-[[gnu::always_inline]] inline void zero(Block& out) {
+template <int Lanes>
+[[gnu::always_inline]] inline void zero(Block<Lanes>& out) {
 #pragma GCC unroll 4
-  for (int p = 0; p < kParts; ++p) out.part[p] = Lane{};
+  for (int p = 0; p < Block<Lanes>::kParts; ++p) out.part[p] = typename Block<Lanes>::Lane{};
 }
 
-template <int Shift, int... I>
-[[gnu::always_inline]] inline void join(Lane& out, const Lane& a, const Lane& b, std::integer_sequence<int, I...>) {
+/// Elements Shift .. Shift + Lanes - 1 of a and then b.
+template <int Shift, int Lanes, int... I>
+[[gnu::always_inline]] inline void join(typename Block<Lanes>::Lane& out, const typename Block<Lanes>::Lane& a,
+                                        const typename Block<Lanes>::Lane& b, std::integer_sequence<int, I...>) {
   out = __builtin_shufflevector(a, b, (Shift + I)...);
 }
 
 /// Elements Shift .. Shift + 7 of the sixteen numbers of a and then b.
-template <int Shift>
-[[gnu::always_inline]] inline void window(Block& out, const Block& a, const Block& b) {
+template <int Shift, int Lanes>
+[[gnu::always_inline]] inline void window(Block<Lanes>& out, const Block<Lanes>& a, const Block<Lanes>& b) {
+  constexpr int kParts = Block<Lanes>::kParts;
 #pragma GCC unroll 4
   for (int p = 0; p < kParts; ++p) {
-    const int from = p + Shift / kLanes;
-    const Lane& low = from < kParts ? a.part[from] : b.part[from - kParts];
-    if constexpr (Shift % kLanes == 0) {
+    const int from = p + Shift / Lanes;
+    const auto& low = from < kParts ? a.part[from] : b.part[from - kParts];
+    if constexpr (Shift % Lanes == 0) {
       out.part[p] = low;
     } else {
-      const Lane& high = from + 1 < kParts ? a.part[from + 1] : b.part[from + 1 - kParts];
-      join<Shift % kLanes>(out.part[p], low, high, std::make_integer_sequence<int, kLanes>{});
+      const auto& high = from + 1 < kParts ? a.part[from + 1] : b.part[from + 1 - kParts];
+      join<Shift % Lanes, Lanes>(out.part[p], low, high, std::make_integer_sequence<int, Lanes>{});
     }
   }
 }
 
-/// sum += x * y
-[[gnu::always_inline]] inline void add_product(Block& sum, const Block& x, const Block& y) {
+/// sum += x
+template <int Lanes>
+[[gnu::always_inline]] inline void add(Block<Lanes>& sum, const Block<Lanes>& x) {
 #pragma GCC unroll 4
-  for (int p = 0; p < kParts; ++p) sum.part[p] = sum.part[p] + x.part[p] * y.part[p];
+  for (int p = 0; p < Block<Lanes>::kParts; ++p) sum.part[p] = sum.part[p] + x.part[p];
+}
+/// x *= y
+template <int Lanes>
+[[gnu::always_inline]] inline void multiply(Block<Lanes>& x, const Block<Lanes>& y) {
+#pragma GCC unroll 4
+  for (int p = 0; p < Block<Lanes>::kParts; ++p) x.part[p] = x.part[p] * y.part[p];
+}
+/// sum += x * y
+template <int Lanes>
+[[gnu::always_inline]] inline void add_product(Block<Lanes>& sum, const Block<Lanes>& x, const Block<Lanes>& y) {
+#pragma GCC unroll 4
+  for (int p = 0; p < Block<Lanes>::kParts; ++p) sum.part[p] = sum.part[p] + x.part[p] * y.part[p];
 }
 
 }  // namespace meander::polar

@@ -11,10 +11,9 @@
 namespace meander {
 namespace {
 
-constexpr int kInner = 16;       ///< rings that are also solved ring by ring
-constexpr int kUnitArrays = 11;  ///< arrays per unit in LineSystem
-constexpr int kRingArrays = 6;   ///< weights per ring
-constexpr int kRingSolves = 8;   ///< per pass
+constexpr int kInner = 16;      ///< rings that are also solved ring by ring
+constexpr int kRingArrays = 6;  ///< weights per ring
+constexpr int kRingSolves = 8;  ///< per pass
 constexpr int kExactPasses = 5000;
 constexpr double kExact = 1e-13;  ///< relative
 
@@ -25,8 +24,9 @@ bool has_diagonals(const std::vector<RingWeights>& weights) {
 
 }  // namespace
 
-PolarSolver::PolarSolver(const PolarLayout& layout, std::vector<RingWeights> weights)
-    : rings_(layout.rings()),
+PolarSolver::PolarSolver(const PolarLayout& layout, std::vector<RingWeights> weights, const polar::LineKernels* kernels)
+    : kernels_(kernels ? kernels : &polar::line_kernels().back()),
+      rings_(layout.rings()),
       sectors_(layout.sectors()),
       padded_((layout.rings() + 7) / 8 * 8),
       stride_(static_cast<std::size_t>(padded_) + 2 * kPad),
@@ -34,11 +34,9 @@ PolarSolver::PolarSolver(const PolarLayout& layout, std::vector<RingWeights> wei
   const auto m = static_cast<std::size_t>(sectors_);
   // Loads of the inner rings may reach past a short line into the next, and past the last one.
   values_.resize((m + 1) * stride_ + 2 * kInner);
-  factor_.resize(stride_ + 2 * kInner);
   source_.resize(stride_ + 2 * kInner);
-  nothing_.resize(stride_ + 2 * kInner);
-  per_unit_.resize(kUnitArrays * (m + 1) * stride_ + 2 * kInner);
-  row_.resize(m);
+  factors_.resize((m + 1) * static_cast<std::size_t>(padded_));
+  factor_.resize(m);
   per_ring_.resize(kRingArrays * (stride_ + 2 * kInner));
   inner_.resize(5 * kInner * (m + 1) + 2 * kInner);
   double* at = per_ring_.data() + kPad;
@@ -54,8 +52,7 @@ PolarSolver::PolarSolver(const PolarLayout& layout, std::vector<RingWeights> wei
     inner_[static_cast<std::size_t>(kInner + lane)] = solved ? 1 : 0;
   }
   make_table();
-  copy_factors({}, -1);
-  polar::factor_line(system(), m * stride_);
+  copy_factors({}, -1, factors_.data() + m * static_cast<std::size_t>(padded_));
 }
 
 /// c_i = 1 / (total_i - outward_i e_{i+1}), e_i = inward_i c_i, from the next obstructed ring inwards.
@@ -74,35 +71,22 @@ void PolarSolver::make_table() {
 
 polar::LineSystem PolarSolver::system() {
   const auto m = static_cast<std::size_t>(sectors_);
-  const auto unit = [&](std::size_t k) { return per_unit_.data() + k * (m + 1) * stride_ + kPad; };
   const auto ring = [&](std::size_t k) { return per_ring_.data() + k * (stride_ + 2 * kInner) + kPad; };
   const auto inner = [&](std::size_t k) { return inner_.data() + 2 * kInner + k * kInner * (m + 1); };
-  const bool diagonal = has_diagonals(weights_);
   return {.sectors = sectors_,
           .padded = padded_,
           .stride = stride_,
+          .diagonals = has_diagonals(weights_),
+          .whole = kInner < rings_ - 1,
           .v = values_.data() + kPad,
-          .row = row_.data(),
+          .factor = factor_.data(),
           .source = source_.data() + kPad,
-          .nothing = nothing_.data() + kPad,
-          .factor = factor_.data() + kPad,
-          .ring_inward = ring(0),
-          .ring_outward = ring(1),
-          .ring_lateral = ring(2),
-          .ring_inward_diagonal = ring(3),
-          .ring_outward_diagonal = ring(4),
-          .ring_total = ring(5),
-          .lateral = unit(0),
-          .inward_diagonal = diagonal ? unit(1) : nullptr,
-          .outward_diagonal = diagonal ? unit(2) : nullptr,
-          .in1 = unit(3),
-          .in2 = unit(4),
-          .in4 = unit(5),
-          .in8 = unit(6),
-          .out1 = unit(7),
-          .out2 = unit(8),
-          .out4 = unit(9),
-          .out8 = unit(10),
+          .inward = ring(0),
+          .outward = ring(1),
+          .lateral = ring(2),
+          .inward_diagonal = ring(3),
+          .outward_diagonal = ring(4),
+          .total = ring(5),
           .ring_open = inner(0),
           .ring_q = inner(1),
           .ring_p = inner(2),
@@ -113,8 +97,7 @@ polar::LineSystem PolarSolver::system() {
 }
 
 /// The line's factors from the table: a run between two obstructed units depends on its outer end alone.
-void PolarSolver::copy_factors(std::span<const std::uint64_t> bits, int target) {
-  double* factor = factor_.data() + kPad;
+void PolarSolver::copy_factors(std::span<const std::uint64_t> bits, int target, double* factor) {
   const auto copy = [&](int from, int next) {
     const double* row = table_.data() + static_cast<std::size_t>(next) * static_cast<std::size_t>(rings_);
     std::copy(row + from, row + next, factor + from);
@@ -147,17 +130,17 @@ void PolarSolver::prepare(const ObstructedUnits& obstructed, int target) {
   std::fill(values_.begin(), values_.end(), 0.0);
   std::fill(source_.begin(), source_.end(), 0.0);
   source_[kPad + static_cast<std::size_t>(target_)] = 1;
-  const polar::LineSystem s = system();
   for (int k = 0; k < sectors_; ++k) {
     open_rings(obstructed, k);
     const auto bits = obstructed.sector_bits(k);
     const bool open = k > 0 && std::all_of(bits.begin(), bits.end(), [](std::uint64_t word) { return word == 0; });
-    row_[static_cast<std::size_t>(k)] = static_cast<std::size_t>(open ? sectors_ : k) * stride_;
-    if (open) continue;  // they all share one line's factors
-    copy_factors(bits, k == 0 ? target_ : -1);
-    polar::factor_line(s, row_[static_cast<std::size_t>(k)]);
+    // Open lines share one line's factors.
+    double* factor =
+        factors_.data() + static_cast<std::size_t>(open ? sectors_ : k) * static_cast<std::size_t>(padded_);
+    factor_[static_cast<std::size_t>(k)] = factor;
+    if (!open) copy_factors(bits, k == 0 ? target_ : -1, factor);
   }
-  polar::factor_rings(s);
+  kernels_->factor_rings(system());
 }
 
 void PolarSolver::solve(const ObstructedUnits& obstructed, int target, const PolarSolverOptions& options) {
@@ -165,8 +148,8 @@ void PolarSolver::solve(const ObstructedUnits& obstructed, int target, const Pol
   const polar::LineSystem s = system();
   const int most = options.exact ? kExactPasses : options.passes;
   for (passes_used_ = 0; passes_used_ < most; ++passes_used_) {
-    polar::sweep_lines(s);
-    for (int k = 0; k < kRingSolves; ++k) polar::solve_rings(s);
+    kernels_->sweep_lines(s);
+    for (int k = 0; k < kRingSolves; ++k) kernels_->solve_rings(s);
     if (options.exact && residual(obstructed) < kExact) break;
   }
 }

@@ -10,7 +10,8 @@ namespace meander {
 
 namespace polar {
 struct LineSystem;
-}
+struct LineKernels;
+}  // namespace polar
 
 struct PolarSolverOptions {
   int passes = 2;
@@ -31,7 +32,8 @@ void fields(Options& o, Visitor&& visit) {
 /// sideways, ring by ring. Allocates nothing once made.
 class PolarSolver {
  public:
-  PolarSolver(const PolarLayout& layout, std::vector<RingWeights> weights);
+  /// With these inner loops; none: the widest of polar::line_kernels().
+  PolarSolver(const PolarLayout& layout, std::vector<RingWeights> weights, const polar::LineKernels* kernels = nullptr);
 
   /// The target unit, at ring `target` of sector 0, has activation 1 and is never obstructed.
   void solve(const ObstructedUnits& obstructed, int target, const PolarSolverOptions& options = {});
@@ -47,12 +49,13 @@ class PolarSolver {
   std::size_t index(int sector) const { return static_cast<std::size_t>(sector) * stride_ + kPad; }
   void make_table();
   void prepare(const ObstructedUnits& obstructed, int target);
-  void copy_factors(std::span<const std::uint64_t> bits, int target);
+  void copy_factors(std::span<const std::uint64_t> bits, int target, double* factor);
   void open_rings(const ObstructedUnits& obstructed, int sector);
   double inflow(int ring, int sector) const;
   polar::LineSystem system();
 
   static constexpr std::size_t kPad = 8;  ///< empty units on both sides of a line, read but never written
+  const polar::LineKernels* kernels_;
   int rings_;
   int sectors_;
   int padded_;  ///< rings, in whole blocks of eight
@@ -60,13 +63,11 @@ class PolarSolver {
   std::vector<RingWeights> weights_;
   std::vector<double> table_;   ///< line factors by next obstructed ring outwards and ring
   std::vector<double> values_;  ///< activation, line by line
-  std::vector<double> factor_;  ///< of the line at hand
   std::vector<double> source_;
-  std::vector<double> nothing_;
-  std::vector<double> per_ring_;  ///< weights as arrays
-  std::vector<double> per_unit_;  ///< line factors of all units, and of a line without obstacles
-  std::vector<std::size_t> row_;  ///< where each sector's are
-  std::vector<double> inner_;     ///< of the inner rings
+  std::vector<double> per_ring_;       ///< weights as arrays
+  std::vector<double> factors_;        ///< of all units, and of a line without obstacles
+  std::vector<const double*> factor_;  ///< each sector's
+  std::vector<double> inner_;          ///< of the inner rings
   int target_ = 0;
   int passes_used_ = 0;
 };

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/SparseLU>
+#include <bit>
 
+#include "polar/polar_lines.hpp"
 #include "polar/subgoal_readout.hpp"
 #include "polar_support.hpp"
 
@@ -76,6 +78,31 @@ TEST(PolarSolver, FindsTheEquilibriumThatEliminationFinds) {
               << c.options.rings << "x" << c.options.sectors << " target " << target << " ring " << r << " sector "
               << s;
         }
+    }
+  }
+}
+
+/// Registers of two, four or eight numbers: what this machine has, bit for bit.
+TEST(PolarSolver, AllKernelsGiveTheSameBits) {
+  const auto kernels = polar::line_kernels();
+  ASSERT_STREQ(kernels.front().name, "portable");
+  for (const Case& c : kCases) {
+    const PolarLayout layout(c.options);
+    const auto weights = ring_weights(layout, c.weights, 20);
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      const Projection map = projected(layout, random_points(seed));
+      const int target = seed % 3 == 0 ? layout.rings() / 2 : layout.rings() - 1;
+      PolarSolver plain(layout, weights, &kernels.front());
+      plain.solve(map.layer(0), target);
+      for (const polar::LineKernels& wide : kernels.subspan(1)) {
+        PolarSolver solver(layout, weights, &wide);
+        solver.solve(map.layer(0), target);
+        for (int s = 0; s < layout.sectors(); ++s)
+          for (int r = 0; r < layout.rings(); ++r)
+            ASSERT_EQ(std::bit_cast<std::uint64_t>(solver.activation(r, s)),
+                      std::bit_cast<std::uint64_t>(plain.activation(r, s)))
+                << wide.name << " " << c.options.rings << "x" << c.options.sectors << " seed " << seed;
+      }
     }
   }
 }

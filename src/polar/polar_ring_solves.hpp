@@ -1,76 +1,80 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
+#pragma once
 #include "polar/polar_blocks.hpp"
 #include "polar/polar_lines.hpp"
 
 namespace meander::polar {
-namespace {
 
 /// The sixteen innermost rings but the centre, as lanes: rings 1 .. 8 and 9 .. 16.
+template <int Lanes>
 struct Inner {
-  Block low, high;
+  Block<Lanes> low, high;
 };
-[[gnu::always_inline]] inline void load(Inner& out, const double* from) {
+template <int Lanes>
+[[gnu::always_inline]] inline void load(Inner<Lanes>& out, const double* from) {
   load(out.low, from), load(out.high, from + 8);
 }
-[[gnu::always_inline]] inline void store(double* to, const Inner& in) { store(to, in.low), store(to + 8, in.high); }
-[[gnu::always_inline]] inline void add_product(Inner& sum, const Inner& x, const Inner& y) {
+template <int Lanes>
+[[gnu::always_inline]] inline void store(double* to, const Inner<Lanes>& in) {
+  store(to, in.low), store(to + 8, in.high);
+}
+template <int Lanes>
+[[gnu::always_inline]] inline void zero(Inner<Lanes>& out) {
+  zero(out.low), zero(out.high);
+}
+template <int Lanes>
+[[gnu::always_inline]] inline void add_product(Inner<Lanes>& sum, const Inner<Lanes>& x, const Inner<Lanes>& y) {
   add_product(sum.low, x.low, y.low), add_product(sum.high, x.high, y.high);
 }
-[[gnu::always_inline]] inline void add(Inner& sum, const Inner& x) {
-#pragma GCC unroll 4
-  for (int p = 0; p < kParts; ++p) {
-    sum.low.part[p] = sum.low.part[p] + x.low.part[p];
-    sum.high.part[p] = sum.high.part[p] + x.high.part[p];
-  }
+template <int Lanes>
+[[gnu::always_inline]] inline void add(Inner<Lanes>& sum, const Inner<Lanes>& x) {
+  add(sum.low, x.low), add(sum.high, x.high);
 }
-[[gnu::always_inline]] inline void multiply(Inner& x, const Inner& y) {
-#pragma GCC unroll 4
-  for (int p = 0; p < kParts; ++p) {
-    x.low.part[p] = x.low.part[p] * y.low.part[p];
-    x.high.part[p] = x.high.part[p] * y.high.part[p];
-  }
+template <int Lanes>
+[[gnu::always_inline]] inline void multiply(Inner<Lanes>& x, const Inner<Lanes>& y) {
+  multiply(x.low, y.low), multiply(x.high, y.high);
 }
 /// open / (total - lateral * before)
-[[gnu::always_inline]] inline void pivot(Inner& q, const Inner& open, const Inner& total, const Inner& lateral,
-                                         const Inner& before) {
+template <int Lanes>
+[[gnu::always_inline]] inline void pivot(Inner<Lanes>& q, const Inner<Lanes>& open, const Inner<Lanes>& total,
+                                         const Inner<Lanes>& lateral, const Inner<Lanes>& before) {
 #pragma GCC unroll 4
-  for (int p = 0; p < kParts; ++p) {
+  for (int p = 0; p < Block<Lanes>::kParts; ++p) {
     q.low.part[p] = open.low.part[p] / (total.low.part[p] - lateral.low.part[p] * before.low.part[p]);
     q.high.part[p] = open.high.part[p] / (total.high.part[p] - lateral.high.part[p] * before.high.part[p]);
   }
 }
 
 /// What flows into the inner rings of a sector from the rings beside them.
-[[gnu::always_inline]] inline void radial_inflow(Inner& f, const LineSystem& s, int sector) {
+template <int Lanes>
+[[gnu::always_inline]] inline void radial_inflow(Inner<Lanes>& f, const LineSystem& s, int sector) {
   const double* v = s.v + static_cast<std::size_t>(sector) * s.stride;
-  Inner x, w;
+  Inner<Lanes> x, w;
   load(f, v);
-  load(w, s.ring_inward + 1);
+  load(w, s.inward + 1);
   multiply(f, w);
   load(x, v + 2);
-  load(w, s.ring_outward + 1);
+  load(w, s.outward + 1);
   add_product(f, w, x);
-  if (!s.inward_diagonal) return;
+  if (!s.diagonals) return;
   const double* left = s.v + static_cast<std::size_t>(sector == 0 ? s.sectors - 1 : sector - 1) * s.stride;
   const double* right = s.v + static_cast<std::size_t>(sector == s.sectors - 1 ? 0 : sector + 1) * s.stride;
-  Inner y;
+  Inner<Lanes> y;
   load(x, left), load(y, right), add(x, y);
-  load(w, s.ring_inward_diagonal + 1);
+  load(w, s.inward_diagonal + 1);
   add_product(f, w, x);
   load(x, left + 2), load(y, right + 2), add(x, y);
-  load(w, s.ring_outward_diagonal + 1);
+  load(w, s.outward_diagonal + 1);
   add_product(f, w, x);
 }
 
-}  // namespace
-
-void factor_rings(const LineSystem& s) {
-  Inner lateral, total, open, p, q, z, none;
-  zero(none.low), zero(none.high);
-  load(lateral, s.ring_lateral + 1);
-  load(total, s.ring_total + 1);
-  p = none;
+template <int Lanes>
+[[gnu::always_inline]] inline void factor_rings(const LineSystem& s) {
+  Inner<Lanes> lateral, total, open, p, q, z;
+  load(lateral, s.lateral + 1);
+  load(total, s.total + 1);
+  zero(p);
   for (int k = 0; k < 16; ++k) s.ring_z[k] = 1;
   load(z, s.ring_z);
   const int m = s.sectors;
@@ -100,11 +104,26 @@ void factor_rings(const LineSystem& s) {
   store(s.ring_q, q);
 }
 
-void solve_rings(const LineSystem& s) {
+/// Rings that are not solved keep what they have.
+template <int Lanes>
+[[gnu::always_inline]] inline void store_solved(const LineSystem& s, double* v, Inner<Lanes>& value) {
+  if (!s.whole) {
+    Inner<Lanes> share, old;
+    load(share, s.ring_take);
+    multiply(value, share);
+    load(share, s.ring_keep);
+    load(old, v);
+    add_product(value, share, old);
+  }
+  store(v, value);
+}
+
+template <int Lanes>
+[[gnu::always_inline]] inline void solve_rings(const LineSystem& s) {
   const int m = s.sectors;
-  Inner lateral, f, y, q, p;
-  load(lateral, s.ring_lateral + 1);
-  zero(y.low), zero(y.high);
+  Inner<Lanes> lateral, f, y, q, p;
+  load(lateral, s.lateral + 1);
+  zero(y);
   for (int k = 1; k < m; ++k) {
     radial_inflow(f, s, k);
     add_product(f, lateral, y);
@@ -113,7 +132,7 @@ void solve_rings(const LineSystem& s) {
     multiply(y, q);
     store(s.ring_y + 16 * k, y);
   }
-  zero(q.low), zero(q.high);
+  zero(q);
   for (int k = m - 1; k > 0; --k) {
     load(y, s.ring_y + 16 * k);
     load(p, s.ring_p + 16 * k);
@@ -121,7 +140,7 @@ void solve_rings(const LineSystem& s) {
     store(s.ring_y + 16 * k, y);
     q = y;
   }
-  Inner first, value, keep, take, old, source;
+  Inner<Lanes> first, value, source;
   radial_inflow(first, s, 0);
   load(p, s.ring_y + 16 * (m - 1));
   add(q, p);
@@ -130,21 +149,13 @@ void solve_rings(const LineSystem& s) {
   multiply(first, q);
   load(source, s.source + 1);
   add(first, source);
-  load(keep, s.ring_keep);
-  load(take, s.ring_take);
-  for (int k = 0; k < m; ++k) {
-    double* v = s.v + static_cast<std::size_t>(k) * s.stride + 1;
-    if (k == 0) {
-      value = first;
-    } else {
-      load(value, s.ring_y + 16 * k);
-      load(p, s.ring_z + 16 * k);
-      add_product(value, p, first);
-    }
-    multiply(value, take);
-    load(old, v);
-    add_product(value, keep, old);
-    store(v, value);
+  value = first;
+  store_solved(s, s.v + 1, value);
+  for (int k = 1; k < m; ++k) {
+    load(value, s.ring_y + 16 * k);
+    load(p, s.ring_z + 16 * k);
+    add_product(value, p, first);
+    store_solved(s, s.v + static_cast<std::size_t>(k) * s.stride + 1, value);
   }
 }
 
