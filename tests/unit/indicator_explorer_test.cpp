@@ -6,6 +6,7 @@
 
 #include "base/random.hpp"
 #include "indicator/cell_walk.hpp"
+#include "indicator/indicator_text.hpp"
 
 namespace meander {
 namespace {
@@ -196,6 +197,8 @@ TEST(Explorer, TheOrderInWhichPortsAreStoredDoesNotMatter) {
         Percept other = percept;
         std::reverse(other.ports.begin(), other.ports.end());
         const Decision a = straight.step(percept), b = shuffled.step(other);
+        if (step % 3 == 1 && b.ending == Ending::driving)  // nor does writing and reading it on its way
+          shuffled = explorer_from_text(to_text(shuffled));
         ASSERT_EQ(a.ending, b.ending);
         ASSERT_EQ(a.direction, b.direction) << seed << " step " << step;
         ASSERT_EQ(a.to, b.to);
