@@ -7,6 +7,7 @@
 --
 --   ./meander examples/barn.lua static_cylinders.csv reference_paths.csv --worlds 0-99 --navigator polar
 local candidates = require "meander.candidates"
+local fields = require "meander.pole_fields"
 local json = require "meander.json"
 local report = require "meander.report"
 
@@ -14,7 +15,7 @@ local options = require "meander.arguments" {
   about = "drives navigators through the worlds of the BARN benchmark",
   { "--worlds A-B", default = "0-149", help = "numbers of the worlds" },
   { "--navigator NAMES", default = "polar", help = "one or several with commas, or all" },
-  { "--options TEXT", default = "", help = "options of the navigator, as in a Lua table" },
+  { "--options TEXT", default = "", help = "options of the navigator instead of those for this robot, as in a Lua table" },
   { "--sonars N", default = 16, help = "sonars of the ring, each with a cone as wide as its share of the circle at most" },
   { "--speed V", default = 2.0, help = "largest speed of the robot, m/s" },
   { "--sonar NAME", default = "nomad", help = "ideal, nomad or real" },
@@ -22,31 +23,25 @@ local options = require "meander.arguments" {
   { "--json", help = "one JSON object per navigator instead of text" },
   { "--jobs N", default = 0, help = "worker processes; 0: one per core" },
   { "--out DIR", default = "", help = "folder for pictures of runs that did not succeed; none when empty" },
-  { "CYLINDERS", help = "table world,x_m,y_m,radius_m" },
-  { "PATHS", help = "table world,seq,col0,col1 of the reference paths" },
+  { "--generated", help = "fields drawn from the seeds A-B instead of the benchmark's; no files then" },
+  { "CYLINDERS", default = "", help = "table world,x_m,y_m,radius_m" },
+  { "PATHS", default = "", help = "table world,seq,col0,col1 of the reference paths" },
 }
 
+if not options.generated and options.PATHS == "" then
+  report.usage_error "CYLINDERS and PATHS expected: the benchmark's tables (--help shows how)"
+end
 candidates.chosen(options.sonar, { "ideal", "nomad", "real" }, "sonar")
 if options.sonars < 1 then report.usage_error("--sonars: at least 1 expected, got " .. options.sonars) end
 if options.speed <= 0 then report.usage_error("--speed: more than 0 m/s expected, got " .. options.speed) end
-local navigator_of = candidates.maker(options.options)
-local time_limit, goal_ahead = 100, 10
-
--- The robot of the study: a disc of 0.25 m that brakes as hard as it speeds up, ten control cycles a second.
-local body = { radius = 0.25, v_max = options.speed, v_min = 0, w_max = 2.0, a_v = 2.0, a_w = 4.0 }
-local robot = {
-  name = "barn", body = body, period = 0.1, sonar = { count = options.sonars, radius = 0.23, first = 0 },
-  bumper = { count = 0, radius = 0.25, first = 0 },
-}
-local sonar = meander.sensor.sonar(options.sonar)
-sonar.half_cone = math.min(sonar.half_cone, math.pi / options.sonars)
--- A ring that fires one by one would need more than a cycle: all at once, as rings on several boards do.
-sonar.firing = "simultaneous"
+local navigator_of = options.options == "" and fields.navigator or candidates.maker(options.options)
+local robot = fields.robot(options.sonars, options.speed)
+local sonar = fields.sonar(options.sonar, options.sonars)
 
 -- Cell (col0, col1) of a path is at x = 0.15 col0 - 4.575, y = 0.15 col1 + 5.075 [m]. A path begins and ends inside the
 -- field; the way from the start and to the goal comes on top.
 local function path_lengths(file)
-  local lengths, last = {}, {}
+  local points, lengths = {}, {}
   local lines = io.lines(file)
   local head = lines()
   if head ~= "world,seq,col0,col1" then report.usage_error(file .. ":1: world,seq,col0,col1 expected, got '" .. tostring(head) .. "'") end
@@ -56,39 +51,36 @@ local function path_lengths(file)
     local world, _, col0, col1 = line:match "^(%d+),(%d+),(%-?%d+),(%-?%d+)%s*$"
     if not world then report.usage_error(("%s:%d: four whole numbers expected, got '%s'"):format(file, number, line)) end
     world = math.tointeger(tonumber(world))
-    local at = { 0.15 * col0 - 4.575, 0.15 * col1 + 5.075 }
-    local before = last[world] or { -2.25, 3 }
-    lengths[world] = (lengths[world] or 0) + math.sqrt((at[1] - before[1]) ^ 2 + (at[2] - before[2]) ^ 2)
-    last[world] = at
+    points[world] = points[world] or {}
+    table.insert(points[world], { 0.15 * col0 - 4.575, 0.15 * col1 + 5.075 })
   end
-  for world, at in pairs(last) do
-    lengths[world] = lengths[world] + math.sqrt((at[1] + 2.25) ^ 2 + (at[2] - 3 - goal_ahead) ^ 2)
-  end
+  for world, list in pairs(points) do lengths[world] = fields.path_length(list) end
   return lengths
 end
 
-local function drive(name, world_number, length)
-  local world = meander.world.import(options.CYLINDERS, { index = world_number })
-  local sim = meander.sim.new { world = world, robot = robot, sonar = sonar, seed = options.first_seed + world_number }
-  local run = sim:drive {
-    navigator = navigator_of(name, robot), subgoals = { "goal" }, when_trapped = "insist", time_limit = time_limit,
-    stop_on_contact = true, record_every = options.out == "" and 0 or 1,
+local function drive(name, number, length)
+  local world
+  if options.generated then
+    world, length = fields.make(number)
+  else
+    world = meander.world.import(options.CYLINDERS, { index = number })
+  end
+  local result, run = fields.drive {
+    world = world, length = length, navigator = navigator_of(name, robot), robot = robot, sonar = sonar,
+    seed = options.first_seed + number, record_every = options.out == "" and 0 or 1,
   }
-  local success = run.success and run.contacts == 0
-  if options.out ~= "" and not success then run:save(report.path(options, ("barn_%s_%d.svg"):format(name, world_number))) end
-  local best = length / 2
-  return {
-    success = success, collided = run.contacts > 0, time = run.time, trapped = run.trapped,
-    metric = success and best / math.max(2 * best, math.min(8 * best, run.time)) or 0,
-  }
+  if options.out ~= "" and not result.success then
+    run:save(report.path(options, ("barn_%s_%d.svg"):format(name, number)))
+  end
+  return result
 end
 
 local first, last = options.worlds:match "^(%d+)%-(%d+)$"
 if not first then first, last = options.worlds:match "^%d+$", options.worlds end
 first, last = math.tointeger(tonumber(first)), math.tointeger(tonumber(last))
 if not first or first > last then report.usage_error("--worlds: A-B expected, got '" .. options.worlds .. "'") end
-local lengths = path_lengths(options.PATHS)
-for world = first, last do
+local lengths = options.generated and {} or path_lengths(options.PATHS)
+for world = first, options.generated and first - 1 or last do
   if not lengths[world] then report.usage_error(("%s: no path of world %d"):format(options.PATHS, world)) end
 end
 
