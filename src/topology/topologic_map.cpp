@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "topology/topologic_map.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace meander::topology {
+namespace {
+
+const TopologicMapOptions& checked(const TopologicMapOptions& options) {
+  validate(options);
+  return options;
+}
+
+}  // namespace
+
+TopologicMap::TopologicMap(const TopologicMapOptions& options, int whiskers, int lights)
+    : options_(checked(options)),
+      metric_(whiskers, lights, options.scales),
+      smoother_(whiskers, options.touch_smoothing),
+      net_(options.net, metric_, options.scales.position),
+      correlation_(options.correlation, metric_),
+      queue_(static_cast<std::size_t>(options.delay) + 1),
+      touch_(static_cast<std::size_t>(whiskers)),
+      light_(static_cast<std::size_t>(lights)) {
+  for (Waiting& place : queue_) place.senses.resize(static_cast<std::size_t>(metric_.stride()));
+}
+
+void TopologicMap::step(const Observation& observation) {
+  dead_reckon(observation.odometry.pose);
+  sense(observation.readings);  // [Z] section 3-1
+  correlate();                  // [Z] section 3-4
+  remember();                   // the learning set of section 3-2
+  learn();                      // [Z] sections 3-2 and 3-3
+  ++samples_;
+}
+
+void TopologicMap::dead_reckon(const Pose2& odometry) {
+  pose_ = samples_ == 0 ? odometry : pose_ * (inverse(odometry_) * odometry);
+  odometry_ = odometry;
+}
+
+void TopologicMap::sense(const Readings& readings) {
+  if (readings.whisker.size() != touch_.size() || readings.light.size() != light_.size())
+    fail("topologic map for {} whiskers and {} light sensors: got {} and {}", touch_.size(), light_.size(),
+         readings.whisker.size(), readings.light.size());
+  smoother_.smooth(readings.whisker, touch_);
+  for (std::size_t i = 0; i < light_.size(); ++i) light_[i] = static_cast<float>(readings.light[i]);
+}
+
+void TopologicMap::correlate() {
+  correction_ = {};
+  if (options_.correlation.gain == 0) return;
+  correction_ = correlation_.correct(net_, pose_, rings(), samples_);
+  pose_.x += correction_.shift.x();
+  pose_.y += correction_.shift.y();
+  pose_.heading = wrap_angle(pose_.heading + correction_.turn);
+  // The situations that wait to be learnt came with part of the same error: the newest with all of it.
+  const std::int64_t first = std::max<std::int64_t>(0, samples_ - options_.delay);
+  const auto parts = static_cast<double>(samples_ - first + 1);
+  for (std::int64_t s = first; s < samples_; ++s)
+    waiting(s).position += static_cast<double>(s - first + 1) / parts * correction_.shift;
+}
+
+void TopologicMap::remember() {
+  Waiting& now = waiting(samples_);
+  now.position = pose_.position();
+  senses_of(rings(), pose_.heading, now.senses);
+}
+
+void TopologicMap::learn() {
+  const std::int64_t sample = samples_ - options_.delay;
+  if (sample < 0) return;
+  const Waiting& shown = waiting(sample);
+  for (int k = 0; k < options_.presentations; ++k) {
+    const Match match = net_.present({shown.position, shown.senses.data()}, sample);
+    recognition_ = {sample, match.cell, match.distance};
+  }
+}
+
+}  // namespace meander::topology
