@@ -54,7 +54,7 @@ std::vector<std::string> drift_preset_names() {
   return names;
 }
 
-Drift::Drift(const DriftOptions& options, std::uint64_t seed, Drive drive)
+Drift::Drift(const DriftOptions& options, std::uint64_t seed, DriveKind drive)
     : options_(options), drive_(drive), stream_(seed, "odometry") {
   validate(options, "drift.");
   slip_bearing_ = options_.slip > 0 ? stream_.uniform(-kPi, kPi) : 0;
@@ -72,7 +72,7 @@ Vec2 Drift::slipped(const Vec2& told, double way) {
 Pose2 Drift::advance(const Pose2& odometry, const Pose2& from, const Pose2& to) {
   const double turn = angle_between(from.heading, to.heading);
   const Vec2 driven = way_between(from, to, turn);
-  const bool sideways = drive_ == Drive::omnidirectional;
+  const bool sideways = drive_ == DriveKind::omnidirectional;
   const double distance = sideways ? driven.norm() : driven.x();
   const double root_distance = std::sqrt(std::abs(distance));
   const double distance_told = distance * (1 + options_.distance_bias) +  //

@@ -50,7 +50,7 @@ std::vector<std::string> drift_preset_names();
 class Drift {
  public:
   /// A unicycle only ever reports motion along its heading.
-  Drift(const DriftOptions& options, std::uint64_t seed, Drive drive = Drive::unicycle);
+  Drift(const DriftOptions& options, std::uint64_t seed, DriveKind drive = DriveKind::unicycle);
   /// The odometry pose after the true motion from one pose to the next (short; a unicycle's is an arc).
   Pose2 advance(const Pose2& odometry, const Pose2& from, const Pose2& to);
   void add_to(Hash& hash) const { stream_.add_to(hash); }
@@ -59,7 +59,7 @@ class Drift {
   Vec2 slipped(const Vec2& told, double way);
 
   DriftOptions options_;
-  Drive drive_;
+  DriveKind drive_;
   Stream stream_;
   double slip_bearing_;  ///< of the slip, relative to the motion [rad]
 };

@@ -42,7 +42,7 @@ Ramped ramped(double value, double target, double rate, double dt) {
 
 Command limited(const Command& command, const Body& body) {
   const double w = within(command.w, -body.w_max, body.w_max);
-  if (body.drive == Drive::unicycle) return {within(command.v, body.v_min, body.v_max), w, 0};
+  if (body.drive == DriveKind::unicycle) return {within(command.v, body.v_min, body.v_max), w, 0};
   const double v = within(command.v, -kFastest, kFastest), vy = within(command.vy, -kFastest, kFastest);
   const double speed = std::sqrt(v * v + vy * vy);
   const double share = speed > body.v_max ? body.v_max / speed : 1;

@@ -36,7 +36,7 @@ const std::array<Platform, 3> kPlatforms{
                       .w_max = 1.5707963267948966,
                       .a_v = 1.25,
                       .a_w = 6.283185307179586,
-                      .drive = Drive::omnidirectional},
+                      .drive = DriveKind::omnidirectional},
              .sonar = {.count = 0, .radius = 0.15, .first = 0},
              .bumper = {.count = 0, .radius = 0.15, .first = 0},
              .whisker = {.count = 24, .radius = 0.15, .first = 0},

@@ -10,11 +10,11 @@
 namespace meander {
 
 /// How the body moves: along its heading and turning, or in any direction.
-enum class Drive { unicycle, omnidirectional };
+enum class DriveKind { unicycle, omnidirectional };
 template <>
-struct EnumNames<Drive> {
-  static constexpr std::pair<Drive, const char*> entries[] = {{Drive::unicycle, "unicycle"},
-                                                              {Drive::omnidirectional, "omnidirectional"}};
+struct EnumNames<DriveKind> {
+  static constexpr std::pair<DriveKind, const char*> entries[] = {{DriveKind::unicycle, "unicycle"},
+                                                                  {DriveKind::omnidirectional, "omnidirectional"}};
 };
 
 /// Round body with its limits.
@@ -25,7 +25,7 @@ struct Body {
   double w_max = 0.7853981633974483;
   double a_v = 0.762;
   double a_w = 1.0471975511965976;
-  Drive drive = Drive::unicycle;
+  DriveKind drive = DriveKind::unicycle;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, Body>

@@ -183,7 +183,7 @@ void SimRobot::add_to(Hash& hash) const {
 /// What only some platforms have.
 void SimRobot::add_further(Hash& hash) const {
   const Platform& platform = options_.platform;
-  if (platform.body.drive == Drive::omnidirectional) {
+  if (platform.body.drive == DriveKind::omnidirectional) {
     hash.add(state_.vy);
     for (const Command& command : queue_) hash.add(command.vy);
   }

@@ -74,7 +74,7 @@ class WhiskerDrive {
       : options_(options), speed_(platform.body.v_max), contacts_(platform.whisker.count) {
     validate(options);
     if (platform.whisker.count == 0) fail("navigator 'whiskers': robot '{}' has no whiskers", platform.name);
-    if (platform.body.drive != Drive::omnidirectional)
+    if (platform.body.drive != DriveKind::omnidirectional)
       fail("navigator 'whiskers': robot '{}' is not omnidirectional", platform.name);
   }
 

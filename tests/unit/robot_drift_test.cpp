@@ -92,7 +92,7 @@ TEST(DriftTest, SlipIsAShareOfTheWayAndTurnsSlowly) {
   DriftOptions slip;
   slip.slip = 0.225;
   slip.slip_spread = 0.025;
-  Drift drift(slip, 3, Drive::omnidirectional);
+  Drift drift(slip, 3, DriveKind::omnidirectional);
   double alike = 0;
   Vec2 before(0, 0);
   constexpr int kSteps = 20000;
