@@ -106,7 +106,8 @@ PlanningResult distance_transform(const PlanningProblem& problem, const Work& wo
   }
   const bool plain = problem.even() && problem.lattice == Lattice::rectangular;
   PlanningResult result{
-      .value = Grid<double>(problem.blocked.width(), problem.blocked.height(), kNoValue, problem.blocked.frame)};
+      .value = Grid<double>(problem.blocked.width(), problem.blocked.height(), kNoValue, problem.blocked.frame),
+      .logarithmic = false};
   result.statistics.relaxations =
       plain ? spread_even(cost, problem.corners, queue, work) : spread(problem, cost, queue, work);
   for (int y = 0; y < problem.blocked.height(); ++y)

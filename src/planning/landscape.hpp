@@ -23,6 +23,7 @@ struct PlanningResult {
   /// Rises along every way to a target: ln v of a neural map (0 at the targets), minus the cost that is left [cells],
   /// the logarithm of the chance to meet a target first for harmonic functions. kNoValue where there is none.
   Grid<double> value;
+  bool logarithmic = true;  ///< the value is the logarithm of an activation or a chance, not minus a cost
   /// Of searches, which find a path and no landscape: through these points [cells], start and target included.
   std::vector<Vec2> way{};
   std::string reason{};  ///< why there is no path; empty when there is a landscape or a way

@@ -3,17 +3,36 @@
 #include "planning/planners.hpp"
 
 #include "base/names.hpp"
+#include "planning/astar.hpp"
 #include "planning/distance_transform.hpp"
+#include "planning/harmonic.hpp"
+#include "planning/neural_map.hpp"
+#include "planning/theta_star.hpp"
 
 namespace meander {
 namespace {
 
 using Planner = PlanningResult (*)(const PlanningProblem&, const PlannerOptions&, const Work&);
 
-constexpr std::pair<const char*, Planner> kPlanners[] = {
-    {"distance_transform", [](const PlanningProblem& problem, const PlannerOptions&,
-                              const Work& work) { return distance_transform(problem, work); }},
-};
+/// A planner that has no options.
+template <PlanningResult (*F)(const PlanningProblem&, const Work&)>
+PlanningResult plain(const PlanningProblem& problem, const PlannerOptions&, const Work& work) {
+  return F(problem, work);
+}
+
+PlanningResult by_neural_map(const PlanningProblem& problem, const PlannerOptions& options, const Work& work) {
+  return neural_map(problem, options.neural_map, work);
+}
+
+PlanningResult by_harmonic(const PlanningProblem& problem, const PlannerOptions& options, const Work& work) {
+  return harmonic(problem, options.harmonic, work);
+}
+
+constexpr std::pair<const char*, Planner> kPlanners[] = {{"neural_map", by_neural_map},
+                                                         {"distance_transform", plain<distance_transform>},
+                                                         {"harmonic", by_harmonic},
+                                                         {"astar", plain<astar>},
+                                                         {"theta_star", plain<theta_star>}};
 
 Planner planner_by_name(const std::string& name) {
   for (const auto& [known, planner] : kPlanners)
