@@ -4,9 +4,9 @@
 local report = require "meander.report"
 
 local options = require "meander.arguments" {
-  about = "reads a world (.toml), ROS map (.yaml), floor plan (image) or BARN world (.csv); writes by the suffix of OUT:\n"
-    .. ".toml world, .yaml ROS map with its .pgm, .svg or .png picture",
-  { "--resolution M", default = 0.05, help = "metres per pixel of an image; of a ROS map that is written" },
+  about = "reads a world (.toml), ROS map (.yaml), floor plan (image), BARN world (.csv) or MovingAI map (.map);\n"
+    .. "writes by the suffix of OUT: .toml world, .yaml ROS map with its .pgm, .svg or .png picture",
+  { "--resolution M", default = 0.05, help = "metres per pixel of an image or cell of a map; of a ROS map that is written" },
   { "--unknown HOW", default = "auto", values = { "auto", "free", "occupied" }, help = "unknown cells of a ROS map" },
   { "--index N", default = 0, help = "which world of a BARN file" },
   { "--force", help = "write over a file that is there" },

@@ -105,8 +105,8 @@ void bind_world_module(lua_State* L) {
       .function<&import>(
           Doc{.name = "import",
               .text = "Reads other people's maps by suffix: world files, ROS maps (.yaml), pictures of floor "
-                      "plans (.png, .pgm, .jpg), BARN tables (.csv).",
-              .args = {{"path", "a .toml, .yaml, .yml, .png, .pgm, .jpg, .jpeg, .bmp, .tif, .tiff or .csv file"},
+                      "plans (.png, .pgm, .jpg), BARN tables (.csv), MovingAI maps (.map).",
+              .args = {{"path", "a .toml, .yaml, .yml, .png, .pgm, .jpg, .jpeg, .bmp, .tif, .tiff, .csv or .map file"},
                        {"options", "how to read it"}},
               .returns = "the world, and a list of lines that say what was done",
               .errors = "no such file; unknown suffix; what is wrong in it",

@@ -31,10 +31,14 @@ Imported from_barn(const std::string& path, const ImportOptions& o, const Work& 
   return import_barn(path, {o.index}, work);
 }
 
+Imported from_movingai(const std::string& path, const ImportOptions& o, const Work& work) {
+  return import_movingai(path, {o.resolution, trace_options(o)}, work);
+}
+
 constexpr std::pair<const char*, Importer> kImporters[] = {
     {".toml", from_toml},   {".yaml", from_ros_map}, {".yml", from_ros_map},  {".png", from_picture},
     {".pgm", from_picture}, {".jpg", from_picture},  {".jpeg", from_picture}, {".bmp", from_picture},
-    {".tif", from_picture}, {".tiff", from_picture}, {".csv", from_barn}};
+    {".tif", from_picture}, {".tiff", from_picture}, {".csv", from_barn},     {".map", from_movingai}};
 
 }  // namespace
 

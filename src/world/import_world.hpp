@@ -3,6 +3,7 @@
 #pragma once
 #include "world/import_barn.hpp"
 #include "world/import_floor_plan.hpp"
+#include "world/import_movingai.hpp"
 #include "world/import_ros_map.hpp"
 
 namespace meander {
@@ -23,7 +24,7 @@ struct ImportOptions {
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, ImportOptions>
 void fields(Options& o, Visitor&& visit) {
-  visit(Field{"resolution", "m/pixel", "size of a pixel (pictures)", 0.001, 1000}, o.resolution);
+  visit(Field{"resolution", "m/pixel", "size of a pixel or cell (pictures, MovingAI maps)", 0.001, 1000}, o.resolution);
   visit(Field{"threshold", "", "grey from which on a pixel is light (pictures); 0: chosen by Otsu's method", 0, 256},
         o.threshold);
   visit(Field{"negate", "", "walls are light on dark (pictures)"}, o.negate);
@@ -39,7 +40,8 @@ void fields(Options& o, Visitor&& visit) {
 }
 
 /// Reads a world of any known format, told by the suffix: .toml (world file), .yaml .yml (ROS map), .png .pgm .jpg
-/// .jpeg .bmp .tif .tiff (picture of a floor plan), .csv (BARN cylinders). Throws FileError that lists the suffixes.
+/// .jpeg .bmp .tif .tiff (picture of a floor plan), .csv (BARN cylinders), .map (MovingAI). Throws FileError that lists
+/// the suffixes.
 Imported import_world(const std::string& path, const ImportOptions& options = {}, const Work& work = {});
 
 /// The suffixes that import_world() knows, with the dot.
