@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace meander {
 namespace {
+
+constexpr double kMostBins = 4096;
 
 std::vector<double> log_radii(const PolarLayoutOptions& o) {
   if (!(o.innermost < o.scope))
@@ -45,21 +48,24 @@ PolarLayout::PolarLayout(const PolarLayoutOptions& options)
     const SinCos t = sin_cos(bearing(k));
     directions_.emplace_back(t.cos, t.sin);
   }
-  const int bins = 16 * rings_;
+  make_lookup();
+}
+
+/// Bins so narrow that hardly any has two rings in it and in the one before.
+void PolarLayout::make_lookup() {
+  edges_ = radii_;
+  edges_.push_back(std::numeric_limits<double>::infinity());
+  double closest = scope();
+  for (int ring = 1; ring < rings_; ++ring) closest = std::min(closest, radius(ring) - radius(ring - 1));
+  const int bins = static_cast<int>(std::min(2.5 * scope() / closest, kMostBins));
   bins_per_metre_ = bins / scope();
   int ring = 0;
   for (int bin = 0; bin <= bins + 1; ++bin) {
+    // One bin less: rounding may put a radius into the bin beside its own.
     while (ring < rings_ - 1 && radius(ring) < (bin - 1) / bins_per_metre_) ++ring;
     lookup_.push_back(ring);
   }
 }
-
-int PolarLayout::nearest_ring(double r) const {
-  const int ring = std::min(first_ring_from(r), rings_ - 1);
-  return ring > 0 && r - radius(ring - 1) < radius(ring) - r ? ring - 1 : ring;
-}
-
-int PolarLayout::nearest_sector(double bearing) const { return wrapped(floor_of(bearing / spacing_ + 0.5)); }
 
 int PolarLayout::apart(int a, int b) const {
   const int way = wrapped(a - b);

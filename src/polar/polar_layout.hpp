@@ -35,6 +35,7 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"innermost", "m", "radius of ring 1 of logarithmic radii", 1e-3, 10}, o.innermost);
 }
 
+/// Angle of (x, y) to within kCoarse, several times faster than angle_of: enough to tell a sector.
 inline constexpr double kCoarse = 0.005;
 inline double coarse_angle(double y, double x) {
   const double ax = std::abs(x), ay = std::abs(y), high = std::max(ax, ay);
@@ -54,7 +55,6 @@ inline int floor_of(double x) {
 
 /// Where the units of a polar map lie [LM99, Figure 4]: ring 0 at the centre, the last ring at the scope; sector k at
 /// the bearing 2 pi k / sectors of the map's frame.
-/// Angle of (x, y) to within kCoarse, several times faster than angle_of: enough to tell a sector.
 class PolarLayout {
  public:
   explicit PolarLayout(const PolarLayoutOptions& options);
@@ -71,24 +71,44 @@ class PolarLayout {
 
   /// The first ring that is not nearer than r; rings() beyond the scope.
   int first_ring_from(double r) const {
-    if (!(r > 0)) return 0;
-    if (r > radii_.back()) return rings_;
-    int ring = lookup_[static_cast<std::size_t>(r * bins_per_metre_)];
-    while (radii_[static_cast<std::size_t>(ring)] < r) ++ring;
+    int ring = ring_before(r);
+    ring += edges_[static_cast<std::size_t>(ring)] < r;  // enough unless rings are very close
+    while (edges_[static_cast<std::size_t>(ring)] < r) ++ring;
     return ring;
   }
-  int nearest_ring(double r) const;
-  int nearest_sector(double bearing) const;
-  int wrapped(int sector) const { return (sector % sectors_ + sectors_) % sectors_; }
+  /// The first ring that is farther than r >= 0; rings() from the scope on.
+  int first_ring_beyond(double r) const {
+    int ring = ring_before(r);
+    ring += edges_[static_cast<std::size_t>(ring)] <= r;
+    while (edges_[static_cast<std::size_t>(ring)] <= r) ++ring;
+    return ring;
+  }
+  int nearest_ring(double r) const {
+    const int ring = std::min(first_ring_from(r), rings_ - 1);
+    return ring > 0 && r - radius(ring - 1) < radius(ring) - r ? ring - 1 : ring;
+  }
+  int nearest_sector(double bearing) const { return wrapped(floor_of(bearing / spacing_ + 0.5)); }
+  int wrapped(int sector) const {
+    if (sector >= 0 && sector < sectors_) return sector;
+    return (sector % sectors_ + sectors_) % sectors_;
+  }
   /// How many sectors lie between two, the shorter way.
   int apart(int a, int b) const;
 
  private:
+  int ring_before(double r) const {
+    const double bin = std::min(std::max(0.0, r) * bins_per_metre_, static_cast<double>(lookup_.size() - 1));
+    return lookup_[static_cast<std::size_t>(static_cast<int>(bin))];
+  }
+
+  void make_lookup();
+
   int rings_;
   int sectors_;
   double spacing_;
   std::vector<double> radii_;
   std::vector<Vec2> directions_;
+  std::vector<double> edges_;  ///< the radii, and infinity
   double bins_per_metre_ = 0;
   std::vector<int> lookup_;  ///< a ring that is not beyond the first ring of the bin
 };

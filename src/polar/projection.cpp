@@ -11,20 +11,15 @@ namespace meander {
 ObstructedUnits::ObstructedUnits(const PolarLayout& layout)
     : rings_(layout.rings()),
       words_((static_cast<std::size_t>(layout.rings()) + 63) / 64),
-      bits_(words_ * static_cast<std::size_t>(layout.sectors())) {}
+      bits_(words_ * static_cast<std::size_t>(layout.sectors())),
+      before_((static_cast<std::size_t>(layout.rings()) + 1) * words_) {
+  for (int end = 0; end <= rings_; ++end)
+    for (int ring = 1; ring < std::min(end, rings_ - 1); ++ring)
+      before_[static_cast<std::size_t>(end) * words_ + (static_cast<std::size_t>(ring) >> 6)] |= std::uint64_t{1}
+                                                                                                 << (ring & 63);
+}
 
 void ObstructedUnits::clear() { std::fill(bits_.begin(), bits_.end(), std::uint64_t{0}); }
-
-void ObstructedUnits::obstruct(int sector, int first, int last) {
-  first = std::max(first, 1);
-  last = std::min(last, rings_ - 2);
-  std::uint64_t* words = bits_.data() + static_cast<std::size_t>(sector) * words_;
-  for (int from = first; from <= last;) {
-    const int to = std::min(last, from | 63);
-    words[static_cast<std::size_t>(from) >> 6] |= (~std::uint64_t{0} >> (63 - (to - from))) << (from & 63);
-    from = to + 1;
-  }
-}
 
 Projection::Projection(const PolarLayout& layout, std::vector<double> radii)
     : layout_(&layout),
@@ -53,25 +48,18 @@ void Projection::add(const Vec2& point) {
   const int first = floor_of((middle - half) / layout_->spacing());
   const int last = floor_of((middle + half) / layout_->spacing()) + 1;
   const int count = std::min(last - first + 1, layout_->sectors());
-  int sector = layout_->wrapped(first);
-  for (int k = 0; k < count; ++k) {
-    const Vec2& u = layout_->direction(sector);
-    add_to_sector(sector, point.dot(u), cross(u, point));
-    if (++sector == layout_->sectors()) sector = 0;
-  }
+  for (std::size_t k = 0; k < layers_.size(); ++k)
+    if (squares_[k] >= 0) add_to_layer(k, point, squares_[k], layout_->wrapped(first), count);
 }
 
 /// Along a sector's direction a circle covers the radii along -+ sqrt(radius^2 - aside^2).
-void Projection::add_to_sector(int sector, double along, double aside) {
-  for (std::size_t k = 0; k < layers_.size(); ++k) {
-    const double square = squares_[k] - aside * aside;
-    if (square < 0) continue;
-    const double half = std::sqrt(square);
-    if (along + half < 0) continue;
-    const int first = layout_->first_ring_from(along - half);
-    int last = layout_->first_ring_from(along + half);
-    if (last < layout_->rings() && layout_->radius(last) > along + half) --last;
-    if (first <= last) layers_[k].obstruct(sector, first, last);
+void Projection::add_to_layer(std::size_t k, const Vec2& point, double square, int sector, int count) {
+  for (; count > 0; --count, sector = sector + 1 == layout_->sectors() ? 0 : sector + 1) {
+    const Vec2& u = layout_->direction(sector);
+    const double aside = cross(u, point), left = square - aside * aside;
+    if (left < 0) continue;
+    const double along = point.dot(u), half = std::sqrt(left);
+    layers_[k].add(sector, layout_->first_ring_from(along - half), layout_->first_ring_beyond(along + half));
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,7 +18,16 @@ class ObstructedUnits {
 
   void clear();
   /// Bits of the rings first .. last of a sector.
-  void obstruct(int sector, int first, int last);
+  void obstruct(int sector, int first, int last) {
+    add(sector, std::clamp(first, 0, rings_), std::clamp(last + 1, 0, rings_));
+  }
+  /// Bits of the rings from first on and before `end`, both in 0 .. rings; none when first >= end.
+  void add(int sector, int first, int end) {
+    std::uint64_t* words = bits_.data() + static_cast<std::size_t>(sector) * words_;
+    const std::uint64_t* upto = before_.data() + static_cast<std::size_t>(end) * words_;
+    const std::uint64_t* from = before_.data() + static_cast<std::size_t>(first) * words_;
+    for (std::size_t w = 0; w < words_; ++w) words[w] |= upto[w] & ~from[w];
+  }
   bool test(int ring, int sector) const {
     return sector_bits(sector)[static_cast<std::size_t>(ring) >> 6] >> (ring & 63) & 1;
   }
@@ -31,6 +41,7 @@ class ObstructedUnits {
   int rings_;
   std::size_t words_;
   std::vector<std::uint64_t> bits_;
+  std::vector<std::uint64_t> before_;  ///< for each ring, the bits of those before it that can be obstructed
 };
 
 /// One layer of obstructed units per radius of the receptive field, filled in one go.
@@ -48,7 +59,7 @@ class Projection {
   static constexpr double kCentreFree = 1e-3;
 
  private:
-  void add_to_sector(int sector, double along, double aside);
+  void add_to_layer(std::size_t k, const Vec2& point, double square, int sector, int count);
 
   const PolarLayout* layout_;
   std::vector<double> radii_;

@@ -59,10 +59,10 @@ void SonarMemory::aim(const Readings& readings) {
   }
 }
 
-bool SonarMemory::passes_through(const Beam& beam, const Vec2& point) const {
+inline bool SonarMemory::passes_through(const Beam& beam, const Vec2& point) const {
   const Vec2 way = point - beam.from;
   const double along = way.dot(beam.axis);
-  if (along <= 0) return false;
+  if (along <= 0 || along >= beam.reading - kSlack) return false;
   const double square = way.squaredNorm();
   if (along * along < axis_cosine_ * axis_cosine_ * square) return false;
   const double distance = std::sqrt(square);
@@ -82,9 +82,11 @@ void SonarMemory::contradict() {
       MemoryPoint& point = scan.points[k];
       const Vec2 way = point.position - centre;
       const double turns = (coarse_angle(way.y(), way.x()) - zero) / (2 * kPi);
-      const int nearest = floor_of(turns * count + 0.5) + 2 * count;
-      for (int i = nearest - beside; i <= nearest + beside; ++i)
-        if (passes_through(beams_[static_cast<std::size_t>(i % count)], point.position)) {
+      int i = floor_of(turns * count + 0.5) - beside;
+      while (i < 0) i += count;
+      while (i >= count) i -= count;
+      for (int tried = 0; tried <= 2 * beside; ++tried, i = i + 1 == count ? 0 : i + 1)
+        if (passes_through(beams_[static_cast<std::size_t>(i)], point.position)) {
           ++point.contradicted;
           break;
         }
