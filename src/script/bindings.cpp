@@ -29,6 +29,10 @@ void bind_all(lua_State* L) {
   bind_robot(L);
   bind_sensor(L);
   bind_study(L);
+  bind_indicator(L);
+  bind_explorer(L);
+  bind_shortest_path(L);
+  bind_labyrinth(L);
   bind_words(L);
   bind_help(L);
 }
