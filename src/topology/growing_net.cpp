@@ -113,11 +113,13 @@ void GrowingNet::change_winner(int to) {
 
 void GrowingNet::fade_links(int cell, int kept) {
   auto& links = cells_[cell].links;
-  if (links.size() < 2) return;
-  const double loss = options_.fade / static_cast<double>(links.size() - 1);  // [Z] eq. (8)
+  // Suspended links neither fade nor count: they may come back.
+  const auto fading = [kept](const Link& link) { return link.to != kept && !link.suspended; };
+  const auto m = std::count_if(links.begin(), links.end(), fading);
+  const double loss = options_.fade / static_cast<double>(std::max<std::ptrdiff_t>(m, 1));  // [Z] eq. (8)
   for (std::size_t i = links.size(); i-- > 0;) {
     Link link = links[i];
-    if (link.to == kept) continue;
+    if (!fading(link)) continue;
     link.weight -= loss;
     if (link.weight > 0) {
       cells_.connect(cell, link.to, link);

@@ -37,6 +37,8 @@ class GrowingNet {
   /// A new cell at the situation, linked to `neighbour` unless that is -1.
   int insert(const Situation& situation, std::int64_t sample, int neighbour);
   void remove(int cell);
+  /// What comes next does not follow from what was shown last: no link to the last winner.
+  void break_off() { winner_ = -1; }
 
   const CellPool& cells() const { return cells_; }
   CellPool& cells() { return cells_; }

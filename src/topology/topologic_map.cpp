@@ -16,25 +16,47 @@ const TopologicMapOptions& checked(const TopologicMapOptions& options) {
 
 }  // namespace
 
-TopologicMap::TopologicMap(const TopologicMapOptions& options, int whiskers, int lights)
+TopologicMap::TopologicMap(const TopologicMapOptions& options, const SenseSuite& suite)
     : options_(checked(options)),
-      metric_(whiskers, lights, options.scales),
-      smoother_(whiskers, options.touch_smoothing),
+      metric_(suite.whiskers, suite.lights, options.scales),
+      smoother_(suite.whiskers, options.touch_smoothing),
       net_(options.net, metric_, options.scales.position),
       correlation_(options.correlation, metric_),
+      doubt_(options.doubt, suite.whisker_radius, suite.whisker_reach),
       queue_(static_cast<std::size_t>(options.delay) + 1),
-      touch_(static_cast<std::size_t>(whiskers)),
-      light_(static_cast<std::size_t>(lights)) {
+      touch_(static_cast<std::size_t>(suite.whiskers)),
+      light_(static_cast<std::size_t>(suite.lights)) {
+  now_.resize(static_cast<std::size_t>(metric_.stride()));
   for (Waiting& place : queue_) place.senses.resize(static_cast<std::size_t>(metric_.stride()));
 }
 
 void TopologicMap::step(const Observation& observation) {
+  if (!learning_) net_.break_off();
+  if (!learning_) learnt_from_ = samples_;
+  learning_ = true;
+  localise(observation);
+  remember();  // the learning set of [Z] section 3-2
+  learn();     // [Z] sections 3-2 and 3-3
+  ++samples_;
+}
+
+void TopologicMap::follow(const Observation& observation) {
+  learning_ = false;
+  localise(observation);
+  ++samples_;
+}
+
+void TopologicMap::localise(const Observation& observation) {
   dead_reckon(observation.odometry.pose);
   sense(observation.readings);  // [Z] section 3-1
   correlate();                  // [Z] section 3-4
-  remember();                   // the learning set of section 3-2
-  learn();                      // [Z] sections 3-2 and 3-3
-  ++samples_;
+  senses_of(rings(), pose_.heading, now_);
+  doubt_.judge(net_, pose_, observation.readings.whisker, samples_);
+}
+
+void TopologicMap::shift(const Vec2& by) {
+  pose_.x += by.x();
+  pose_.y += by.y();
 }
 
 void TopologicMap::dead_reckon(const Pose2& odometry) {
@@ -58,7 +80,7 @@ void TopologicMap::correlate() {
   pose_.y += correction_.shift.y();
   pose_.heading = wrap_angle(pose_.heading + correction_.turn);
   // The situations that wait to be learnt came with part of the same error: the newest with all of it.
-  const std::int64_t first = std::max<std::int64_t>(0, samples_ - options_.delay);
+  const std::int64_t first = std::max(learnt_from_, samples_ - options_.delay);
   const auto parts = static_cast<double>(samples_ - first + 1);
   for (std::int64_t s = first; s < samples_; ++s)
     waiting(s).position += static_cast<double>(s - first + 1) / parts * correction_.shift;
@@ -67,12 +89,12 @@ void TopologicMap::correlate() {
 void TopologicMap::remember() {
   Waiting& now = waiting(samples_);
   now.position = pose_.position();
-  senses_of(rings(), pose_.heading, now.senses);
+  std::copy(now_.begin(), now_.end(), now.senses.begin());
 }
 
 void TopologicMap::learn() {
   const std::int64_t sample = samples_ - options_.delay;
-  if (sample < 0) return;
+  if (sample < learnt_from_) return;
   const Waiting& shown = waiting(sample);
   for (int k = 0; k < options_.presentations; ++k) {
     const Match match = net_.present({shown.position, shown.senses.data()}, sample);

@@ -6,6 +6,7 @@
 
 #include "robot/observation.hpp"
 #include "topology/correlation.hpp"
+#include "topology/link_doubt.hpp"
 
 namespace meander::topology {
 
@@ -13,6 +14,7 @@ struct TopologicMapOptions {
   Scales scales;
   NetOptions net;
   CorrelationOptions correlation;
+  DoubtOptions doubt;
   double touch_smoothing = 0.3490658503988659;  ///< standard deviation [rad]
   int presentations = 4;                        ///< k: how often a situation is shown
   int delay = 10;                               ///< l: samples until it is shown
@@ -23,11 +25,20 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"scales", "", "one unit of distance between situations"}, o.scales);
   visit(Field{"net", "", "how the net grows and adapts"}, o.net);
   visit(Field{"correlation", "", "how the map corrects the believed pose"}, o.correlation);
+  visit(Field{"doubt", "", "how contacts suspend links"}, o.doubt);
   visit(Field{"touch_smoothing", "rad", "standard deviation of the smoothing of contacts along the ring", 0.01, 3},
         o.touch_smoothing);
   visit(Field{"presentations", "", "how often a situation is shown to the net", 1, 100}, o.presentations);
   visit(Field{"delay", "", "samples until a situation is shown", 0, 10000}, o.delay);
 }
+
+/// The sensors that a map is built from.
+struct SenseSuite {
+  int whiskers = 24;
+  int lights = 24;
+  double whisker_radius = 0.15;  ///< of the ring of their roots [m]
+  double whisker_reach = 0.15;   ///< beyond it [m]
+};
 
 /// What the net made of a sample.
 struct Recognition {
@@ -40,11 +51,16 @@ struct Recognition {
 /// one to the other, learnt from whiskers, light sensors and bad dead reckoning alone.
 class TopologicMap {
  public:
-  /// `whiskers` and `lights` are the sizes of the rings.
-  TopologicMap(const TopologicMapOptions& options, int whiskers, int lights);
+  /// For a robot with these whiskers and light sensors. Throws ArgumentError for options out of range, or a robot that
+  /// has neither.
+  TopologicMap(const TopologicMapOptions& options, const SenseSuite& suite);
 
   /// One sample. Throws ArgumentError when its rings have other sizes.
   void step(const Observation& observation);
+  /// One sample that is not learnt: the robot only stays localised and links are judged.
+  void follow(const Observation& observation);
+  /// The believed position is wrong by this much [m].
+  void shift(const Vec2& by);
 
   const TopologicMapOptions& options() const { return options_; }
   const GrowingNet& net() const { return net_; }
@@ -61,7 +77,9 @@ class TopologicMap {
   const Recognition& recognition() const { return recognition_; }
   /// What the correlation said last.
   const Correction& correction() const { return correction_; }
-  /// The robot's own senses of now, in its own frame.
+  /// What is sensed now, in the frame of the map.
+  Situation situation() const { return {pose_.position(), now_.data()}; }
+  /// The same in the robot's own frame.
   SenseRings rings() const { return {touch_, light_}; }
 
  private:
@@ -70,6 +88,7 @@ class TopologicMap {
     Vec2 position;
     std::vector<float> senses;
   };
+  void localise(const Observation& observation);
   void dead_reckon(const Pose2& odometry);
   void sense(const Readings& readings);
   void correlate();
@@ -84,9 +103,13 @@ class TopologicMap {
   TouchSmoother smoother_;
   GrowingNet net_;
   Correlation correlation_;
+  LinkDoubt doubt_;
   std::vector<Waiting> queue_;  ///< the last delay + 1 situations, a ring
   std::vector<float> touch_, light_;
+  std::vector<float> now_;  ///< both in the frame of the map
   std::int64_t samples_ = 0;
+  std::int64_t learnt_from_ = 0;  ///< samples before this are not shown any more
+  bool learning_ = true;
   Pose2 odometry_, pose_;
   Recognition recognition_;
   Correction correction_;

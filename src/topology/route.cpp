@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "topology/route.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+namespace meander::topology {
+
+std::optional<std::vector<int>> route(const CellPool& cells, int from, int to, const RouteOptions& options) {
+  const auto n = static_cast<std::size_t>(cells.slots());
+  std::vector<double> cost(n, std::numeric_limits<double>::infinity());
+  std::vector<int> before(n, -1);
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  cost[static_cast<std::size_t>(from)] = 0;
+  for (open.emplace(0, from); !open.empty();) {
+    const auto [so_far, cell] = open.top();
+    open.pop();
+    if (cell == to) break;
+    if (so_far > cost[static_cast<std::size_t>(cell)]) continue;
+    for (const Link& link : cells[cell].links) {
+      const double length = (cells[link.to].position - cells[cell].position).norm();
+      const double next = so_far + length * (1 + options.doubtful * (1 - link.weight)) + options.per_link +
+                          (link.suspended ? options.suspended : 0);
+      const auto t = static_cast<std::size_t>(link.to);
+      if (next > cost[t] || (next == cost[t] && cell >= before[t])) continue;
+      cost[t] = next;
+      before[t] = cell;
+      open.emplace(next, link.to);
+    }
+  }
+  if (from != to && before[static_cast<std::size_t>(to)] < 0) return std::nullopt;
+  std::vector<int> way{to};
+  while (way.back() != from) way.push_back(before[static_cast<std::size_t>(way.back())]);
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+int nearest_place(const CellPool& cells, const Vec2& at) {
+  int nearest = -1;
+  double best = std::numeric_limits<double>::infinity();
+  for (int cell = 0; cell < cells.slots(); ++cell) {
+    if (!cells[cell].alive()) continue;
+    const double d = (cells[cell].position - at).squaredNorm();
+    if (d >= best) continue;
+    best = d;
+    nearest = cell;
+  }
+  return nearest;
+}
+
+}  // namespace meander::topology

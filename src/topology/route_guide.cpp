@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "topology/route_guide.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace meander::topology {
+namespace {
+
+constexpr int kTrail = 40;         ///< situations, ...
+constexpr double kSpacing = 0.05;  ///< ... one every so many metres
+constexpr double kSpread = 0.35;   ///< cells so near to a supposed place may be meant [m]
+constexpr std::size_t kAhead = 4;  ///< links of the way that are watched for suspension
+
+class RouteGuide {
+ public:
+  RouteGuide(std::shared_ptr<TopologicMap> map, int goal, const RouteGuideOptions& options)
+      : map_(std::move(map)), goal_(goal), options_(options), trail_(kTrail, kSpacing, map_->net().metric().stride()) {
+    validate(options);
+    if (!cells().alive(goal)) fail("route: cell {} is not in the map", goal);
+    serial_ = cells()[goal].serial;
+  }
+
+  GuideStep next(const Observation& seen) {
+    options_.learn ? map_->step(seen) : map_->follow(seen);
+    if (!cells().alive(goal_) || cells()[goal_].serial != serial_) return ended(false, "the goal's cell is gone");
+    if (++samples_ > options_.most_samples) return ended(false, "too many samples");
+    trail_.add(map_->situation());
+    if (!on_way() && !plan() && !recover()) return ended(false, "no links lead there");
+    pass_places();
+    const bool held = stuck(seen.odometry.pose.position());
+    if (next_ + 1 == way_.size() && (held || distance_to(goal_) <= options_.arrive) && arrived())
+      return ended(true, "arrived, and the senses agree");
+    if (tries_ > options_.tries && !recover()) return ended(false, "at the believed place the senses tell another");
+    if (held && !give_up_link()) return ended(false, "stuck, and no other links lead there");
+    const Vec2 target = inverse(map_->map_from_odometry()) * cells()[way_[next_]].position;
+    return {Subgoal{target, 0.02, {}, {}}, false, {}, 0};
+  }
+
+ private:
+  const CellPool& cells() const { return map_->net().cells(); }
+  Vec2 here() const { return map_->pose().position(); }
+  double distance_to(int cell) const { return (cells()[cell].position - here()).norm(); }
+  static GuideStep ended(bool success, const char* why) { return {std::nullopt, success, why, success ? 1 : 0}; }
+
+  /// Is there a way whose cells and next links still hold?
+  bool on_way() const {
+    if (way_.empty()) return false;
+    for (std::size_t i = next_; i < way_.size(); ++i) {
+      if (!cells().alive(way_[i])) return false;
+      if (i == 0 || i > next_ + kAhead) continue;
+      const Link* link = cells().alive(way_[i - 1]) ? cells().find(way_[i - 1], way_[i]) : nullptr;
+      if (!link || (link->suspended && !suspended_accepted_)) return false;
+    }
+    return true;
+  }
+
+  bool plan() {
+    const int start = nearest_place(cells(), here());
+    const auto found = route(cells(), start, goal_, options_.route);
+    if (!found) return false;
+    way_ = *found;
+    next_ = way_.size() > 1 && distance_to(way_[0]) < options_.near ? 1 : 0;
+    suspended_accepted_ = false;
+    for (std::size_t i = 1; i < way_.size(); ++i)
+      suspended_accepted_ = suspended_accepted_ || cells().find(way_[i - 1], way_[i])->suspended;
+    return true;
+  }
+
+  void pass_places() {
+    while (next_ + 1 < way_.size() && distance_to(way_[next_]) < options_.near) ++next_;
+  }
+
+  /// Did the wheels bring it nowhere for long?
+  bool stuck(const Vec2& odometry) {
+    if ((odometry - anchor_).norm() > options_.progress) {
+      anchor_ = odometry;
+      since_ = samples_;
+    }
+    return samples_ - since_ > options_.patience;
+  }
+
+  /// Lost: the robot is where its last stretch of way fits the map best. What it believed blocked meanwhile was not
+  /// where it thought.
+  bool recover() {
+    const auto place = recovered_++ < options_.recoveries ? trail_.find(map_->net(), kSpread) : std::nullopt;
+    if (!place) return false;
+    for (const auto& [a, b] : given_up_)
+      if (cells().alive(a) && cells().alive(b) && cells().find(a, b)) {
+        Link link = *cells().find(a, b);
+        link.suspended = false;
+        link.doubt = 0;
+        map_->net().cells().connect(a, b, link);
+      }
+    given_up_.clear();
+    map_->shift(place->position - here());
+    trail_.clear();
+    tries_ = 0;
+    return plan();
+  }
+
+  /// The link on which nothing moves is suspended: other links are tried first.
+  bool give_up_link() {
+    since_ = samples_;
+    if (++stuck_ % 3 == 0) return recover();
+    if (next_ == 0) return true;
+    Link link = *cells().find(way_[next_ - 1], way_[next_]);
+    if (!link.suspended) given_up_.emplace_back(way_[next_ - 1], way_[next_]);
+    link.suspended = true;
+    link.doubt = std::max(link.doubt, map_->options().doubt.suspend);
+    map_->net().cells().connect(way_[next_ - 1], way_[next_], link);
+    return plan() || recover();
+  }
+
+  /// Does the correlation tell the goal, or a place beside it?
+  bool arrived() {
+    const int told = map_->correction().cell;
+    if (told >= 0 && (cells()[told].position - cells()[goal_].position).norm() <= options_.confirm) return true;
+    ++tries_;
+    if (told >= 0) map_->shift(options_.pull * (cells()[told].position - here()));
+    way_.clear();
+    plan();
+    return false;
+  }
+
+  std::shared_ptr<TopologicMap> map_;
+  int goal_;
+  RouteGuideOptions options_;
+  std::uint64_t serial_ = 0;
+  std::vector<int> way_;
+  std::size_t next_ = 0;
+  bool suspended_accepted_ = false;  ///< there is no way without a suspended link
+  Trail trail_;
+  std::vector<std::pair<int, int>> given_up_;  ///< links that this drive suspended
+  int recovered_ = 0;
+  Vec2 anchor_{1e9, 1e9};  ///< in the odometry frame
+  int since_ = 0, samples_ = 0, tries_ = 0, stuck_ = 0;
+};
+
+}  // namespace
+
+Guide route_guide(const std::shared_ptr<TopologicMap>& map, int goal, const RouteGuideOptions& options) {
+  const auto guide = std::make_shared<RouteGuide>(map, goal, options);
+  return {"route", [guide](const Observation& seen, const NavigatorStep&) { return guide->next(seen); },
+          [guide, map, goal, options] { *guide = RouteGuide(map, goal, options); }, 1};
+}
+
+}  // namespace meander::topology
