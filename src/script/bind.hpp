@@ -25,6 +25,8 @@ void bind_navigators(lua_State* L);
 void bind_baselines(lua_State* L);
 void bind_polar(lua_State* L);
 void bind_study(lua_State* L);
+void bind_mapping_map(lua_State* L);
+void bind_map_score(lua_State* L);
 void bind_indicator(lua_State* L);
 void bind_explorer(lua_State* L);
 void bind_shortest_path(lua_State* L);

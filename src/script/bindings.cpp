@@ -29,6 +29,8 @@ void bind_all(lua_State* L) {
   bind_robot(L);
   bind_sensor(L);
   bind_study(L);
+  bind_mapping_map(L);
+  bind_map_score(L);
   bind_indicator(L);
   bind_explorer(L);
   bind_shortest_path(L);

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "study/sonar_log.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "base/text_file.hpp"
+#include "study/sonar_log_text.hpp"
+
+namespace meander {
+namespace {
+
+constexpr std::size_t kLargestLog = std::size_t{1} << 30;  ///< [bytes]
+
+std::vector<std::string_view> split(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (std::size_t from = 0; from <= line.size();) {
+    const std::size_t end = std::min(line.find(',', from), line.size());
+    std::string_view cell = line.substr(from, end - from);
+    while (!cell.empty() && cell.front() == ' ') cell.remove_prefix(1);
+    while (!cell.empty() && cell.back() == ' ') cell.remove_suffix(1);
+    cells.push_back(cell);
+    from = end + 1;
+  }
+  return cells;
+}
+
+struct Columns {
+  std::size_t count = 0, time = 0, x = 0, y = 0, heading = 0;
+  std::vector<std::size_t> ranges;
+};
+
+/// The number in "sonar_7", "s7" or "S7".
+std::optional<int> sonar_number(std::string_view name) {
+  for (const std::string_view before : {"sonar_", "sonar", "s", "S"}) {
+    if (!name.starts_with(before)) continue;
+    int number = 0;
+    const std::string_view digits = name.substr(before.size());
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error == std::errc() && end == digits.data() + digits.size()) return number;
+  }
+  return std::nullopt;
+}
+
+Columns columns_of(std::string_view head, const std::string& name) {
+  const auto names = split(head);
+  const auto find = [&](std::initializer_list<std::string_view> wanted) {
+    for (const std::string_view one : wanted)
+      if (const auto at = std::find(names.begin(), names.end(), one); at != names.end())
+        return static_cast<std::size_t>(at - names.begin());
+    fail<FileError>("{}:1: no column '{}' in the head line '{}'", name, *wanted.begin(), printable(head));
+  };
+  const bool odometry = std::find(names.begin(), names.end(), "odometry_x") != names.end();
+  Columns columns{names.size(), find({"time"}), 0, 0, 0, {}};
+  columns.x = odometry ? find({"odometry_x"}) : find({"x"});
+  columns.y = odometry ? find({"odometry_y"}) : find({"y"});
+  columns.heading = odometry ? find({"odometry_heading"}) : find({"heading", "theta"});
+  std::map<int, std::size_t> by_number;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (const auto number = sonar_number(names[i])) by_number[*number] = i;
+  for (const auto& [number, at] : by_number) columns.ranges.push_back(at);
+  if (columns.ranges.empty()) fail<FileError>("{}:1: no columns 'sonar_0', 'sonar_1', ... in the head line", name);
+  return columns;
+}
+
+std::optional<std::vector<double>> numbers_at(const std::vector<std::string_view>& cells, const Columns& columns) {
+  if (cells.size() != columns.count) return std::nullopt;
+  std::vector<double> numbers;
+  const auto take = [&](std::size_t at) {
+    const auto number = number_in(cells[at]);
+    if (number) numbers.push_back(*number);
+    return number.has_value();
+  };
+  for (const std::size_t at : {columns.time, columns.x, columns.y, columns.heading})
+    if (!take(at) || !std::isfinite(numbers.back())) return std::nullopt;
+  for (const std::size_t at : columns.ranges)
+    if (!take(at)) return std::nullopt;
+  return numbers;
+}
+
+}  // namespace
+
+SonarLog sonar_log_from_csv(const std::string& text, const std::string& name, const SonarLogOptions& options,
+                            const Work& work) {
+  validate(options);
+  SonarLog log;
+  LogLines lines(text, work);
+  const BadRecordCounter bad(name, options.bad);
+  if (!lines.next()) fail<FileError>("{}:1: a head line expected, got nothing", name);
+  const Columns columns = columns_of(lines.line(), name);
+  log.sonars = static_cast<int>(columns.ranges.size());
+  while (lines.next()) {
+    if (lines.line().empty()) continue;
+    const auto numbers = numbers_at(split(lines.line()), columns);
+    if (!numbers) {
+      bad(log.report.short_records, lines.number(),
+          fmt::format("{} columns with numbers for time, pose and {} ranges expected, got '{}'", columns.count,
+                      log.sonars, printable(lines.line())));
+      continue;
+    }
+    const double time = (*numbers)[0];
+    if (!log.scans.empty() && time < log.scans.back().time) {
+      bad(log.report.out_of_order, lines.number(),
+          fmt::format("time {} is before that of the last record, {}", time, log.scans.back().time));
+      continue;
+    }
+    Observation scan;
+    scan.time = time;
+    scan.period = log.scans.empty() ? 0 : time - log.scans.back().time;
+    scan.odometry.pose = {(*numbers)[1], (*numbers)[2], wrap_angle((*numbers)[3])};
+    for (std::size_t i = 4; i < numbers->size(); ++i)
+      scan.readings.sonar.push_back(checked_range((*numbers)[i], lines.number(), options, bad, log.report));
+    scan.readings.sonar_pose.assign(scan.readings.sonar.size(), scan.odometry.pose);
+    log.scans.push_back(std::move(scan));
+  }
+  log.report.lines = lines.number();
+  log.report.scans = static_cast<int>(log.scans.size());
+  return log;
+}
+
+SonarLog read_sonar_log(const std::string& path, const SonarLogOptions& options, const Work& work) {
+  const std::string suffix = std::filesystem::path(path).extension().string();
+  if (suffix == ".csv") return sonar_log_from_csv(read_text_file(path, kLargestLog), path, options, work);
+  if (suffix == ".log" || suffix == ".clf" || suffix == ".carmen")
+    return sonar_log_from_carmen(read_text_file(path, kLargestLog), path, options, work);
+  fail<FileError>("{}: a log with the suffix .csv, .log, .clf or .carmen expected", path);
+}
+
+}  // namespace meander
