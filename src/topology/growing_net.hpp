@@ -42,6 +42,7 @@ class GrowingNet {
 
   const CellPool& cells() const { return cells_; }
   CellPool& cells() { return cells_; }
+  bool spatial() const { return per_position_ > 0; }
   const NetOptions& options() const { return options_; }
   const SenseMetric& metric() const { return metric_; }
   /// Calls visit(cell) for every cell whose place may be within `reach` [m].
