@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
 #include "indicator/indicator_graph.hpp"
-#include "indicator/text_lines.hpp"
+#include "base/text_lines.hpp"
 
 namespace meander {
 
