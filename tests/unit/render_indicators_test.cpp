@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "geometry/angle.hpp"
+#include "render/draw_indicators.hpp"
+
+namespace meander {
+namespace {
+
+long count(const DrawList& list, Mark mark) {
+  return std::count_if(list.items.begin(), list.items.end(),
+                       [&](const DrawItem& item) { return mark_of(item) == mark; });
+}
+
+TEST(DrawIndicators, ShowsLinksIndicatorsAndOpenEnds) {
+  IndicatorGraph graph;
+  const IndicatorId a = graph.place({0, 0}), b = graph.place({3, 0});
+  graph.link({a, graph.add_port(a, 0, 1)}, {b, graph.add_port(b, kPi, 1)}, 3);
+  graph.link({a}, {b}, 3);
+  graph.add_port(b, 0, 1);
+  graph.block({b, graph.add_port(b, 1, 1)});
+  const DrawList list = draw_indicators(graph);
+  EXPECT_EQ(count(list, Mark::path), 2);
+  EXPECT_EQ(count(list, Mark::start), 2);
+  EXPECT_EQ(count(list, Mark::goal), 2);  // their numbers
+  EXPECT_EQ(count(list, Mark::echo), 2);
+  EXPECT_TRUE(list.view.contains(graph.get(b).position));
+  for (const DrawItem& item : list.items) EXPECT_TRUE(drawable(item));
+}
+
+TEST(DrawIndicators, AnEmptyGraphHasAPicture) { EXPECT_FALSE(draw_indicators(IndicatorGraph()).items.empty()); }
+
+}  // namespace
+}  // namespace meander
