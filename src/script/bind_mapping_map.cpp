@@ -22,9 +22,7 @@
 namespace meander::script {
 
 struct MapTable {
-  std::string model = "nn4";
-  std::string preset = "ideal";
-  bool table = false;
+  MapChoice choice;
   Preset<Platform> robot;
   LocalMapOptions local;
   bool global = true;
@@ -32,9 +30,7 @@ struct MapTable {
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, MapTable>
 void fields(Options& o, Visitor&& visit) {
-  visit(Field{"model", "", "what scans tell about cells; meander.mapping.models() names them"}, o.model);
-  visit(Field{"preset", "", "networks: sonar that their weights were trained for"}, o.preset);
-  visit(Field{"table", "", "networks: compiled to a lookup table, faster and a little worse"}, o.table);
+  fields(o.choice, visit);
   visit(Field{"robot", "", "kind of robot whose sonars are read"}, o.robot);
   fields(o.local, visit);
   visit(Field{"global", "", "keep a map of everywhere, too"}, o.global);
@@ -43,9 +39,8 @@ void fields(Options& o, Visitor&& visit) {
 namespace {
 
 std::shared_ptr<SonarMap> make(const MapTable& table) {
-  SonarModel model =
-      sonar_model(table.model, {.ring = table.robot.value.sonar, .preset = table.preset, .table = table.table});
-  return std::make_shared<SonarMap>(table.robot.value, std::move(model), table.local, table.global);
+  const Platform& platform = table.robot.value;
+  return std::make_shared<SonarMap>(platform, table.choice.model(platform), table.local, table.global);
 }
 
 MapPart part_of(const SonarMap& map, const std::optional<MapPart>& part) {

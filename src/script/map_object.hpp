@@ -12,4 +12,22 @@ struct ObjectName<SonarMap> {
 };
 inline std::size_t native_size(const SonarMap& map) { return sizeof(SonarMap) + map.bytes(); }
 
+/// Which sensor model a map has.
+struct MapChoice {
+  std::string name = "nn4";
+  std::string preset = "ideal";
+  bool table = false;
+
+  SonarModel model(const Platform& platform) const {
+    return sonar_model(name, {.ring = platform.sonar, .preset = preset, .table = table});
+  }
+};
+template <class Options, class Visitor>
+requires std::same_as<std::remove_const_t<Options>, MapChoice>
+void fields(Options& o, Visitor&& visit) {
+  visit(Field{"model", "", "what scans tell about cells; meander.mapping.models() names them"}, o.name);
+  visit(Field{"preset", "", "networks: sonar that their weights were trained for"}, o.preset);
+  visit(Field{"table", "", "networks: compiled to a lookup table, faster and a little worse"}, o.table);
+}
+
 }  // namespace meander::script
