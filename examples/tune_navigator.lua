@@ -2,11 +2,13 @@
 -- SPDX-FileCopyrightText: the meander authors
 -- Tunes the options of a navigator on the scenes of local navigation: in each round the best so far and some mutants of it
 -- drive the same fresh seeds, and the best of them goes on. Seeds from 1 to 1000 are for this; what it finds is to be
--- measured on others with polar_scenes.lua.
+-- measured on others with polar_scenes.lua. poles_16 and poles_32 are fields of poles in the manner of the BARN benchmark,
+-- driven by its robot with so many sonars; all means the other scenes.
 --
 --   ./meander examples/tune_navigator.lua --navigator vfh_plus --rounds 40
 local json = require "meander.json"
 local candidates = require "meander.candidates"
+local fields = require "meander.pole_fields"
 local scenes = require "meander.scenes"
 
 local options = require "meander.arguments" {
@@ -35,15 +37,17 @@ local spaces = {
   vfh_plus = {
     { "window", 1, 0.6, 4 }, { "enlarge", 0.02, 0.005, 0.3 }, { "low", 0.45, 0.05, 6 }, { "high", 1, 0.1, 12 },
     { "wide_valley", 11, 3, 30, whole = true }, { "heading_weight", 2.3, 0.1, 10 }, { "previous_weight", 2.6, 0.1, 10 },
-    steering(2.3, 0.10, 0.15, 0.33), memory(6, 4),
+    { "half_cone", 0.218, 0, 0.218 }, steering(2.3, 0.10, 0.15, 0.33), memory(6, 4),
   },
   dynamic_window = {
     { "heading_weight", 3, 0.2, 10 }, { "distance_weight", 0.2, 0.02, 5 }, { "speed_weight", 0.32, 0.02, 5 },
-    { "margin", 0.07, 0.01, 0.2 }, { "reach", 3.4, 0.5, 4 }, memory(12, 2),
+    { "margin", 0.07, 0.01, 0.2 }, { "reach", 3.4, 0.5, 4 },
+    { "half_cone", 0.1, 0, 0.218 }, memory(12, 2),
   },
   tangent_bug = {
     { "reach", 1.9, 0.8, 4 }, { "clearance", 0.06, 0.01, 0.25 }, { "jump", 0.17, 0.05, 1 }, { "constancy", 0.53, 0.01, 1 },
-    { "follow_look", 0.87, 0.2, 1.5 }, { "leave", 0.16, 0.02, 0.6 }, steering(1.1, 0.09, 0.42, 0.08), memory(17, 1),
+    { "follow_look", 0.87, 0.2, 1.5 }, { "leave", 0.16, 0.02, 0.6 },
+    { "half_cone", 0.1, 0, 0.218 }, steering(1.1, 0.09, 0.42, 0.08), memory(17, 1),
   },
   potential_field = {
     { "influence", 0.43, 0.1, 1.5 }, { "repulsion", 0.0025, 0.0002, 0.1 }, { "turn_gain", 0.63, 0.2, 3 },
@@ -51,7 +55,9 @@ local spaces = {
   },
 }
 
-local names = candidates.chosen(options.scene, scenes.names(), "scene")
+local poles = { poles_16 = fields.robot(16, 2), poles_32 = fields.robot(32, 2) }
+local known = table.move({ "poles_16", "poles_32" }, 1, 2, #scenes.names() + 1, scenes.names())
+local names = options.scene == "all" and scenes.names() or candidates.chosen(options.scene, known, "scene")
 candidates.chosen(options.navigator, { "dynamic_window", "potential_field", "tangent_bug", "vfh_plus" }, "navigator")
 
 local space = {}
@@ -64,8 +70,8 @@ for _, entry in ipairs(spaces[options.navigator]) do
 end
 
 -- The options of a point, nested where a name has a dot.
-local function table_of(point)
-  local result = { robot = "nomad200" }
+local function table_of(point, robot)
+  local result = { robot = robot }
   for i, entry in ipairs(space) do
     local outer, inner = entry[1]:match "^(.-)%.(.*)$"
     if outer then
@@ -76,6 +82,9 @@ local function table_of(point)
     end
   end
   if result.low and result.low > result.high then result.low = result.high end
+  if result.half_cone and type(robot) == "table" then
+    result.half_cone = math.min(result.half_cone, math.pi / robot.sonar.count)
+  end
   return result
 end
 
@@ -103,12 +112,20 @@ local function mutant(point)
 end
 
 -- 1 for a quick arrival, down to 0.7 for one at the last moment, 0 for none; a contact of its own fault costs half a run.
+-- In a field of poles twice the benchmark's metric is the score.
 local function score_of(point, name, seed)
+  local make = meander.polar[options.navigator]
+  if poles[name] then
+    local world, length = fields.make(seed)
+    local navigator = make(table_of(point, poles[name]))
+    local result = fields.drive { world = world, length = length, navigator = navigator, robot = poles[name], seed = seed }
+    return 2 * result.metric - (result.collided and 0.5 or 0)
+  end
   local scene = scenes.make(name, seed)
   if not scene then return nil end
   local sim = meander.sim.new { world = scene.world, start = scene.start, seed = seed }
   local run = sim:drive {
-    navigator = meander.polar[options.navigator](table_of(point)), subgoals = scene.subgoals, hand_over = scene.hand_over,
+    navigator = make(table_of(point, "nomad200")), subgoals = scene.subgoals, hand_over = scene.hand_over,
     when_trapped = "insist", time_limit = scene.time_limit, record_every = 0,
   }
   local reached = run.success and 1 - 0.3 * run.time / scene.time_limit or 0

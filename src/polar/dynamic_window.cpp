@@ -20,13 +20,24 @@ struct Task {
   double most;
 };
 
+/// A turning rate of the window with the shape of its way: the cycle, then braking.
+struct Turn {
+  double w;
+  double turned;      ///< until it stands again [rad]
+  Vec2 drive, brake;  ///< where a way of length 1 leads
+  SinCos heading;     ///< in the end
+};
+
 class DynamicWindow {
  public:
   DynamicWindow(const Platform& platform, const DynamicWindowOptions& options)
       : platform_(platform),
         options_(options),
         memory_(platform, options.memory),
-        trap_(options.patience, options.progress) {}
+        cones_(platform, options.memory.range_min, options.half_cone),
+        trap_(options.patience, options.progress),
+        radius_(platform.body.radius + options.margin),
+        turns_(static_cast<std::size_t>(options.turns)) {}
 
   void reset() { *this = DynamicWindow(platform_, options_); }
 
@@ -34,8 +45,7 @@ class DynamicWindow {
     const Pose2& pose = observation.odometry.pose;
     memory_.remember(observation.readings);
     if (const auto there = arrival(observation, subgoal, platform_.body)) return *there;
-    points_near(memory_, pose, platform_.body.radius, options_.reach + platform_.body.radius + options_.margin,
-                points_);
+    look(observation);
     const Vec2 to_subgoal = inverse(pose) * subgoal.position;
     const double distance = to_subgoal.norm();
     const Task task{to_subgoal,
@@ -50,7 +60,19 @@ class DynamicWindow {
   }
 
  private:
-  /// [FBT97] 4.1: the dynamic window.
+  /// The nearest first: they shorten the ways, and what is behind them need not be looked at then.
+  void look(const Observation& observation) {
+    const double reach = options_.reach + radius_;
+    points_near(memory_, observation.odometry.pose, platform_.body.radius, reach, points_);
+    cones_.add(observation, reach, points_);
+    std::sort(points_.begin(), points_.end(), [](const Vec2& a, const Vec2& b) {
+      const double one = a.squaredNorm(), other = b.squaredNorm();
+      return one != other ? one < other : a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+    });
+  }
+
+  /// [FBT97] 4.1: the dynamic window. Fast ones first: most of the slower ones cannot be better then, whatever way is
+  /// free.
   Command best(const Observation& observation, const Task& task) {
     const Body& body = platform_.body;
     const double dv = body.a_v * observation.period, dw = body.a_w * observation.period;
@@ -61,15 +83,26 @@ class DynamicWindow {
     std::optional<Command> found;
     double most = 0;
     bool moves = false;
-    for (int i = 0; i < options_.speeds; ++i)
-      for (int k = 0; k < options_.turns; ++k) {
-        const double v = v_least + (v_most - v_least) * i / (options_.speeds - 1);
-        const double w = w_least + (w_most - w_least) * k / (options_.turns - 1);
-        const std::optional<double> worth = objective(observation, task, v, w);
-        if (!worth) continue;
+    // [FBT97+] A command takes effect when the cycle is over: until then the robot goes on as it does.
+    const double before = observation.odometry.v * observation.period;
+    for (int k = 0; k < options_.turns; ++k)
+      turns_[static_cast<std::size_t>(k)] =
+          turn(w_least + (w_most - w_least) * k / (options_.turns - 1), observation.period);
+    for (int i = options_.speeds - 1; i >= 0; --i) {
+      const double v = v_least + (v_most - v_least) * i / (options_.speeds - 1);
+      const double driven = v * observation.period, braked = v * v / (2 * body.a_v);
+      for (const Turn& turn : turns_) {
+        const double worth = options_.heading_weight * heading(task, driven * turn.drive + braked * turn.brake, turn) +
+                             options_.speed_weight * v / body.v_max;
+        if (found && worth + options_.distance_weight <= most) continue;
+        const double free = v > kStanding ? free_arc(points_, turn.w / v, radius_, options_.reach) : free_after(turn);
+        // [FBT97] eq. (3): it must be able to stop in time.
+        if (v > kStanding && free < before + driven + braked) continue;
         moves |= v > kStanding;
-        if (!found || *worth > most) found = Command{v, w, 0}, most = *worth;
+        const double all = worth + options_.distance_weight * free / options_.reach;
+        if (!found || all > most) found = Command{v, turn.w, 0}, most = all;
       }
+    }
     if (moves) {
       away_ = 0;
       return *found;
@@ -77,28 +110,26 @@ class DynamicWindow {
     return turn_away(observation, task);
   }
 
-  /// [FBT97] eq. (6); nothing when the robot could not stop in time (eq. (3)).
+  Turn turn(double w, double period) const {
+    const double driven = w * period, braked = w * std::abs(w) / (2 * platform_.body.a_w);
+    return {w, driven + braked, arc({}, 1, driven, 1).position(), arc({0, 0, driven}, 1, braked, 1).position(),
+            sin_cos(driven + braked)};
+  }
+
+  /// [FBT97] eq. (6): how well the subgoal is faced in the end.
+  static double heading(const Task& task, const Vec2& end, const Turn& turn) {
+    const Vec2 way = task.subgoal - end;
+    const double ahead = way.x() * turn.heading.cos + way.y() * turn.heading.sin;
+    const double aside = way.y() * turn.heading.cos - way.x() * turn.heading.sin;
+    return 1 - std::abs(angle_of(aside, ahead)) / kPi;
+  }
+
   /// [FBT97+] A turn on the spot has the free way of the heading in which it ends: else standing would be the safest.
-  std::optional<double> objective(const Observation& observation, const Task& task, double v, double w) const {
-    const Body& body = platform_.body;
-    const double dt = observation.period, radius = body.radius + options_.margin;
-    const double need = v * dt + v * v / (2 * body.a_v);
-    const double turned = w * dt + w * std::abs(w) / (2 * body.a_w);
-    double free;
-    if (v > kStanding) {
-      free = free_arc(points_, w / v, radius, options_.reach);
-      if (free < need) return std::nullopt;
-    } else {
-      turned_.clear();
-      const Pose2 back{0, 0, -turned};
-      for (const Vec2& point : points_) turned_.push_back(back * point);
-      free = free_arc(turned_, 0, radius, options_.reach);
-    }
-    const Pose2 end = arc(arc({}, v, w, dt), need - v * dt, turned - w * dt, 1);
-    const Vec2 way = inverse(end) * task.subgoal;
-    const double heading = 1 - std::abs(angle_of(way.y(), way.x())) / kPi;
-    return options_.heading_weight * heading + options_.distance_weight * free / options_.reach +
-           options_.speed_weight * v / body.v_max;
+  double free_after(const Turn& turn) {
+    turned_.clear();
+    const Pose2 back{0, 0, -turn.turned};
+    for (const Vec2& point : points_) turned_.push_back(back * point);
+    return free_arc(turned_, 0, radius_, options_.reach);
   }
 
   /// [FBT97] 4.2: where no translation is admissible, rotate until one is. It goes on in the direction begun.
@@ -120,10 +151,13 @@ class DynamicWindow {
   Platform platform_;
   DynamicWindowOptions options_;
   SonarMemory memory_;
+  ConeEnds cones_;
   TrapWatch trap_;
+  double radius_;  ///< what counts as contact [m]
+  std::vector<Turn> turns_;
   std::vector<Vec2> points_;
-  mutable std::vector<Vec2> turned_;  ///< room for points_ in another heading
-  int away_ = 0;                      ///< side to which it turns away; 0: it does not
+  std::vector<Vec2> turned_;  ///< room for points_ in another heading
+  int away_ = 0;              ///< side to which it turns away; 0: it does not
 };
 
 }  // namespace

@@ -17,6 +17,7 @@ struct DynamicWindowOptions {
   double speed_weight = 0.32;
   double margin = 0.07;
   double reach = 3.4;
+  double half_cone = 0;
   double patience = 15;
   double progress = 0.10;
   SonarMemoryOptions memory{.scans = 12};
@@ -31,6 +32,7 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"speed_weight", "", "of going fast", 0, 1e6}, o.speed_weight);
   visit(Field{"margin", "m", "hull distance that counts as contact", 0, 10}, o.margin);
   visit(Field{"reach", "m", "a longer free way is not worth more", 0.1, 100}, o.reach);
+  visit(Field{"half_cone", "rad", "half angle within which an echo may have come from", 0, 1.5}, o.half_cone);
   visit(Field{"patience", "s", "trapped after so long without progress", 0.1, 1e6}, o.patience);
   visit(Field{"progress", "m", "what counts as progress towards the subgoal", 0, 100}, o.progress);
   visit(Field{"memory", "", "what is remembered of the sonar"}, o.memory);

@@ -18,22 +18,46 @@ double free_line(const Vec2& p, double radius, double most) {
   return std::clamp(p.x() - std::sqrt(radius * radius - p.y() * p.y()), 0.0, most);
 }
 
-/// On a circle around (0, 1/curvature): the law of cosines gives the angle at which the disc meets the point.
-double free_circle(const Vec2& p, double curvature, double radius, double most) {
-  const double turning = 1 / curvature, size = std::abs(turning);
-  const Vec2 from_centre = p - Vec2(0, turning);
-  const double reach = from_centre.norm();
-  if (std::abs(reach - size) >= radius || reach == 0) return most;
-  const double side = curvature > 0 ? 1 : -1;
-  // The way round the circle to the point's bearing, 0 where the robot is, against its sense of turning.
-  double ahead = angle_of(from_centre.x(), -side * from_centre.y());
-  if (ahead < 0) ahead += 2 * kPi;
-  const double cosine = std::clamp((size * size + reach * reach - radius * radius) / (2 * size * reach), -1.0, 1.0);
-  const double before = angle_of(std::sqrt(1 - cosine * cosine), cosine);
-  if (ahead < before) return 0;  // within the radius already, and ahead
-  // A point that is left behind comes round again only after the circle.
-  return std::min(most, (ahead - before) * size);
-}
+/// Where on its circle around (0, 1/curvature) the disc meets the first thing. Bearings from the circle's centre count
+/// from the robot in its sense of turning, and are compared by their cosine and sine: angles are dear.
+class CircleWay {
+ public:
+  explicit CircleWay(double curvature) : size_(1 / std::abs(curvature)), side_(curvature > 0 ? 1 : -1) {}
+
+  /// The law of cosines gives the bearing at which the disc meets the point.
+  void meet(const Vec2& p, double touch) {
+    const double ahead_sin = p.x(), ahead_cos = size_ - side_ * p.y();
+    const double square = ahead_sin * ahead_sin + ahead_cos * ahead_cos;
+    const double reach = std::sqrt(square);
+    if (std::abs(reach - size_) >= touch || reach == 0) return;
+    const double cosine = std::clamp((size_ * size_ + square - touch * touch) / (2 * size_ * reach), -1.0, 1.0);
+    const double sine = std::sqrt(1 - cosine * cosine);
+    const SinCos met{(ahead_sin * cosine - ahead_cos * sine) / reach, (ahead_cos * cosine + ahead_sin * sine) / reach};
+    if (!met_ || before(met, first_)) first_ = met, met_ = true;
+  }
+
+  /// A point that is left behind comes round again only after the circle.
+  double way(double most) const {
+    if (!met_) return most;
+    const double angle = angle_of(first_.sin, first_.cos);
+    return std::min(most, (angle < 0 ? angle + 2 * kPi : angle) * size_);
+  }
+  /// No place of the way is farther from the robot than this.
+  double chord(double most) const {
+    const double across = std::min(most, 2 * size_);
+    return met_ && first_.sin >= 0 ? std::min(across, size_ * std::sqrt(2 * (1 - first_.cos))) : across;
+  }
+
+ private:
+  static bool before(const SinCos& a, const SinCos& b) {
+    if ((a.sin >= 0) != (b.sin >= 0)) return a.sin >= 0;
+    return a.sin >= 0 ? a.cos > b.cos : a.cos < b.cos;
+  }
+
+  double size_, side_;
+  SinCos first_{0, 1};
+  bool met_ = false;
+};
 
 }  // namespace
 
@@ -50,16 +74,42 @@ void points_near(const SonarMemory& memory, const Pose2& pose, double body_radiu
     }
 }
 
+ConeEnds::ConeEnds(const Platform& platform, double range_min, double half_cone)
+    : platform_(platform), rule_{.range_min = range_min, .half_cone = half_cone} {
+  echoes_.reserve(static_cast<std::size_t>(platform.sonar.count));
+}
+
+void ConeEnds::add(const Observation& observation, double reach, std::vector<Vec2>& points) {
+  rule_.range_max = reach;
+  read_echoes(observation, platform_, rule_, echoes_);
+  const double least = kInside * platform_.body.radius;
+  for (const Echo& echo : echoes_)
+    for (const Vec2& place : echo.places) {
+      const double square = place.squaredNorm();
+      if (square <= reach * reach && square >= least * least) points.push_back(place);
+    }
+}
+
 double free_arc(const std::vector<Vec2>& points, double curvature, double radius, double most) {
-  double free = most;
+  const double bend = std::abs(curvature), side = curvature < 0 ? -1 : 1;
+  const bool straight = bend < kStraight;
+  CircleWay circle(straight ? 1 : curvature);
+  double free = most, reach = straight ? most : circle.chord(most);
   for (const Vec2& point : points) {
-    const double distance = point.norm();
-    if (distance > radius + free) continue;
-    const double touch = std::min(radius, distance - kContact);
-    free = std::min(free, std::abs(curvature) < kStraight ? free_line(point, touch, free)
-                                                          : free_circle(point, curvature, touch, free));
+    const double square = point.squaredNorm();
+    if (square > (radius + reach) * (radius + reach)) continue;
+    // Does the disc pass beside the point? Compares the distance from the circle's centre, without a root.
+    const double off = (square - radius * radius) * bend - 2 * side * point.y();
+    if (off >= 2 * radius || (off <= -2 * radius && bend * radius < 1)) continue;
+    const double touch = std::min(radius, std::sqrt(square) - kContact);
+    if (straight) {
+      reach = free = std::min(free, free_line(point, touch, free));
+    } else {
+      circle.meet(point, touch);
+      reach = circle.chord(most);
+    }
   }
-  return free;
+  return straight ? free : circle.way(most);
 }
 
 }  // namespace meander

@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "polar/echo.hpp"
 #include "polar/sonar_memory.hpp"
 
 namespace meander {
@@ -11,6 +12,19 @@ namespace meander {
 /// lies well inside the body cannot be there and is left out.
 void points_near(const SonarMemory& memory, const Pose2& pose, double body_radius, double reach,
                  std::vector<Vec2>& points);
+
+/// The newest readings as places within their cones: a thin thing stands as far beside the axis as the cone is wide.
+/// Adds the ends of each cone that its neighbours do not rule out, no farther than `reach` from the robot's centre.
+class ConeEnds {
+ public:
+  ConeEnds(const Platform& platform, double range_min, double half_cone);
+  void add(const Observation& observation, double reach, std::vector<Vec2>& points);
+
+ private:
+  Platform platform_;
+  EchoRule rule_;
+  std::vector<Echo> echoes_;
+};
 
 /// How far a disc may drive along an arc until it touches one of the points: the way of its centre [m], at most `most`.
 /// The robot starts at the origin and looks along x; curvature in 1/m, positive to the left. A point that is within

@@ -26,6 +26,11 @@ double Steering::rate(double bearing, double period) const {
   return turning_rate(bearing, options_.turn_gain, period, body_);
 }
 
+double Steering::reach(const Observation& observation) const {
+  const double v = std::max(body_.v_max, observation.odometry.v);
+  return body_.radius + options_.margin + v * (observation.period + options_.headway) + v * v / (2 * body_.a_v);
+}
+
 Command Steering::turn(double bearing, const Observation& observation) const {
   return {0, rate(bearing, observation.period), 0};
 }

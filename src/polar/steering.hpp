@@ -36,6 +36,8 @@ class Steering {
   /// under the command and then braking keep the margin from every point.
   Command towards(double bearing, double distance, const Observation& observation,
                   const std::vector<Vec2>& points) const;
+  /// How far from the robot's centre points matter to `towards` [m].
+  double reach(const Observation& observation) const;
   /// On the spot.
   Command turn(double bearing, const Observation& observation) const;
 

@@ -18,6 +18,7 @@ class TangentBug {
       : platform_(platform),
         options_(options),
         memory_(platform, options.memory),
+        cones_(platform, options.memory.range_min, options.half_cone),
         steering_(platform, options.steering),
         ways_(options.directions, options.reach) {}
 
@@ -28,7 +29,7 @@ class TangentBug {
     memory_.remember(observation.readings);
     if (subgoal.position != subgoal_) begin(observation, subgoal.position);
     if (const auto there = arrival(observation, subgoal, platform_.body)) return *there;
-    look(pose);
+    look(observation);
     if (following_) follow(pose);
     std::optional<double> bearing;
     if (!following_) bearing = past_the_ends();
@@ -51,13 +52,17 @@ class TangentBug {
   }
 
   /// [KRR98] the local tangent graph's range profile: the free way of the body in every direction.
-  void look(const Pose2& pose) {
+  void look(const Observation& observation) {
+    const Pose2& pose = observation.odometry.pose;
     here_ = pose.position();
     heading_ = pose.heading;
     target_ = inverse(pose) * subgoal_;
     target_bearing_ = angle_of(target_.y(), target_.x());
     const double radius = platform_.body.radius + options_.clearance;
-    points_near(memory_, pose, platform_.body.radius, options_.reach + radius, points_);
+    // Steering looks as far as braking leads, however near the profile ends.
+    const double farthest = std::max(options_.reach + radius, steering_.reach(observation));
+    points_near(memory_, pose, platform_.body.radius, farthest, points_);
+    cones_.add(observation, farthest, points_);
     ways_.look(points_, radius, target_bearing_);
   }
 
@@ -129,6 +134,7 @@ class TangentBug {
   Platform platform_;
   TangentBugOptions options_;
   SonarMemory memory_;
+  ConeEnds cones_;
   Steering steering_;
   FreeWays ways_;  ///< the subgoal's direction first
   std::vector<Vec2> points_;

@@ -17,6 +17,7 @@ struct TangentBugOptions {
   double follow_look = 0.87;
   double leave = 0.16;
   double loop = 0.5;
+  double half_cone = 0;
   double patience = 15;
   double progress = 0.3;
   SteeringOptions steering{.turn_gain = 1.1, .margin = 0.09, .headway = 0.42, .caution = 0.08};
@@ -36,6 +37,7 @@ void fields(Options& o, Visitor&& visit) {
               100},
         o.leave);
   visit(Field{"loop", "m", "coming so near to where following began means that there is no way", 0, 100}, o.loop);
+  visit(Field{"half_cone", "rad", "half angle within which an echo may have come from", 0, 1.5}, o.half_cone);
   visit(Field{"patience", "s", "trapped after so long at the same place", 0.1, 1e6}, o.patience);
   visit(Field{"progress", "m", "what counts as another place", 0, 100}, o.progress);
   visit(Field{"steering", "", "how the direction is driven"}, o.steering);

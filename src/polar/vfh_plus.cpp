@@ -23,6 +23,7 @@ class VfhPlus {
       : platform_(platform),
         options_(options),
         memory_(platform, options.memory),
+        cones_(platform, options.memory.range_min, options.half_cone),
         steering_(platform, options.steering),
         trap_(options.patience, options.progress),
         sector_(2 * kPi / options.sectors),
@@ -39,7 +40,10 @@ class VfhPlus {
     const Vec2 to_subgoal = inverse(pose) * subgoal.position;
     // [UB98+] What lies behind the subgoal is in nobody's way to it.
     reach_ = std::min(options_.window, to_subgoal.norm() + platform_.body.radius + options_.enlarge);
-    points_near(memory_, pose, platform_.body.radius, reach_, points_);
+    // Steering looks as far as braking leads, however near the histogram ends.
+    const double farthest = std::max(reach_, steering_.reach(observation));
+    points_near(memory_, pose, platform_.body.radius, farthest, points_);
+    cones_.add(observation, farthest, points_);
     fill(pose.heading);
     hysteresis();
     mask(pose.heading, observation.odometry.v);
@@ -63,12 +67,13 @@ class VfhPlus {
   /// robot of its size. Sectors have fixed directions in the odometry frame, so that they can keep their state.
   void fill(double heading) {
     std::fill(density_.begin(), density_.end(), 0.0);
-    const double reach = platform_.body.radius + options_.enlarge;
+    const double size = platform_.body.radius + options_.enlarge;
     for (const Vec2& point : points_) {
       const double distance = point.norm();
+      if (distance > reach_) continue;
       const double share = distance / reach_;
       const double bearing = heading + angle_of(point.y(), point.x());
-      const double sine = std::min(1.0, reach / distance);
+      const double sine = std::min(1.0, size / distance);
       const double half = angle_of(sine, std::sqrt(1 - sine * sine));
       const int first = static_cast<int>(std::ceil((bearing - half) / sector_));
       const int last = static_cast<int>(std::floor((bearing + half) / sector_));
@@ -159,6 +164,7 @@ class VfhPlus {
   Platform platform_;
   VfhPlusOptions options_;
   SonarMemory memory_;
+  ConeEnds cones_;
   Steering steering_;
   TrapWatch trap_;
   double sector_;

@@ -18,6 +18,7 @@ struct VfhPlusOptions {
   double goal_weight = 5;
   double heading_weight = 2.3;
   double previous_weight = 2.6;
+  double half_cone = 0.2181661564992912;
   double patience = 15;
   double progress = 0.10;
   SteeringOptions steering{.turn_gain = 2.3, .margin = 0.10, .headway = 0.15, .caution = 0.33};
@@ -36,6 +37,7 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"goal_weight", "", "cost of turning away from the subgoal", 0, 1e6}, o.goal_weight);
   visit(Field{"heading_weight", "", "cost of turning", 0, 1e6}, o.heading_weight);
   visit(Field{"previous_weight", "", "cost of another direction than the last", 0, 1e6}, o.previous_weight);
+  visit(Field{"half_cone", "rad", "half angle within which an echo may have come from", 0, 1.5}, o.half_cone);
   visit(Field{"patience", "s", "trapped after so long without progress", 0.1, 1e6}, o.patience);
   visit(Field{"progress", "m", "what counts as progress towards the subgoal", 0, 100}, o.progress);
   visit(Field{"steering", "", "how the direction is driven"}, o.steering);

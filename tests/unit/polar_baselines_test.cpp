@@ -8,6 +8,8 @@
 #include "base/random.hpp"
 #include "polar/dynamic_window.hpp"
 #include "polar/near_points.hpp"
+#include "polar/polar_navigator.hpp"
+#include "polar/potential_field.hpp"
 #include "polar/tangent_bug.hpp"
 #include "polar/vfh_plus.hpp"
 #include "polar_flatland.hpp"
@@ -124,6 +126,112 @@ TEST_P(BaselineTest, ResetForgets) {
 
 INSTANTIATE_TEST_SUITE_P(All, BaselineTest, testing::ValuesIn(kBaselines),
                          [](const auto& baseline) { return baseline.param.name; });
+
+constexpr Baseline kNavigators[] = {
+    {"polar", [](const Platform& p) { return polar_navigator(p); }},
+    {"potential_field", [](const Platform& p) { return potential_field(p); }},
+    kBaselines[0],
+    kBaselines[1],
+    kBaselines[2],
+};
+
+/// What may happen at the edges is the same for all.
+class EdgeCaseTest : public BaselineTest {
+ protected:
+  static constexpr double kLeast = 0.152, kMost = 6.477;
+  /// Drives on by made-up readings; every answer is one that the body can follow.
+  NavigatorStep drive(const Observation& first, const Subgoal& goal, int cycles = 60) const {
+    const Body body = platform("nomad200").body;
+    const Navigator navigator = make();
+    Observation seen = first;
+    NavigatorStep step;
+    for (int i = 0; i < cycles; ++i) {
+      step = navigator.step(seen, goal);
+      EXPECT_TRUE(step.command.v >= 0 && step.command.v <= body.v_max + 1e-12) << i << ": " << step.command.v;
+      EXPECT_LE(std::abs(step.command.w), body.w_max + 1e-12) << i;
+      EXPECT_TRUE(step.status != NavigatorStatus::trapped || !step.reason.empty()) << i;
+      seen.time += 0.33;
+    }
+    return step;
+  }
+  static Observation reading(double range) {
+    Observation seen = Flatland({}).observation({}, 0, 0);
+    std::fill(seen.readings.sonar.begin(), seen.readings.sonar.end(), range);
+    return seen;
+  }
+};
+
+TEST_P(EdgeCaseTest, ASubgoalOnTheRobotIsReachedAndOneWithinItsBodyIsNotYet) {
+  EXPECT_EQ(drive(reading(kMost), at({0, 0}, 0.02)).status, NavigatorStatus::arrived);
+  EXPECT_EQ(drive(reading(kMost), at({0.01, 0}, 0.02)).status, NavigatorStatus::arrived);
+  const NavigatorStep first = drive(reading(kMost), at({0.12, 0}, 0.02), 1);
+  EXPECT_EQ(first.status, NavigatorStatus::driving);
+  EXPECT_NE(first.command, Command{});
+}
+
+TEST_P(EdgeCaseTest, ASubgoalBehindMakesItTurn) {
+  for (const Vec2& behind : {Vec2(-2, 0), Vec2(-0.2, 0), Vec2(-9, 1e-12)}) {
+    const NavigatorStep first = drive(reading(kMost), at(behind, 0.02), 1);
+    EXPECT_GT(std::abs(first.command.w), 0.01) << behind.x();
+  }
+}
+
+TEST_P(EdgeCaseTest, ReachesWhatIsBehindOrWithinItsBody) {
+  for (const Vec2& goal : {Vec2(-2, 0), Vec2(0.15, 0.1), Vec2(-0.2, 0)}) {
+    Flatland land({});
+    const Navigator navigator = make();
+    NavigatorStep last;
+    for (int k = 0; k < 250 && last.status == NavigatorStatus::driving; ++k)
+      last = land.step(navigator, at(goal, 0.03));
+    EXPECT_EQ(last.status, NavigatorStatus::arrived) << goal.x();
+  }
+}
+
+TEST_P(EdgeCaseTest, AllReadingsAtMaximumAreFreeGround) {
+  EXPECT_GT(drive(reading(kMost), at({5, 0}), 1).command.v, 0.05);
+}
+
+/// Everything may touch; what reads the minimum is taken to be 4 cm off the hull, and no farther may it creep.
+TEST_P(EdgeCaseTest, AllReadingsAtMinimumStopIt) {
+  EXPECT_LE(0.33 * drive(reading(kLeast), at({5, 0}), 1).command.v, 0.04);
+  drive(reading(kLeast), at({5, 0}));
+  drive(reading(kLeast), at({0.1, 0}, 0.02));
+}
+
+/// A robot without sonars drives blind; what it is told to, it does.
+TEST_P(EdgeCaseTest, NoReadingsAtAll) {
+  Observation blind = reading(kMost);
+  blind.readings.sonar.clear();
+  blind.readings.sonar_pose.clear();
+  EXPECT_GT(drive(blind, at({5, 0}), 1).command.v, 0.05);
+  drive(blind, at({-1, 0}));
+}
+
+/// A wall at the hull on the left: away from it along the front is allowed, into it is not.
+TEST_P(EdgeCaseTest, StartsInContact) {
+  Flatland land({{-3, 0.2767, 3, 0.2767}});
+  const Navigator navigator = make();
+  double least = 1;
+  NavigatorStep last;
+  for (int k = 0; k < 300 && last.status == NavigatorStatus::driving; ++k) {
+    last = land.step(navigator, at({1.5, -1.5}));
+    least = std::min(least, land.least_gap);
+  }
+  EXPECT_EQ(last.status, NavigatorStatus::arrived);
+  EXPECT_GT(least, -0.005);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EdgeCaseTest, testing::ValuesIn(kNavigators),
+                         [](const auto& navigator) { return navigator.param.name; });
+
+TEST(Baselines, SteeringSeesWhatTheHistogramDoesNot) {
+  Platform fast = platform("nomad200");
+  fast.body.v_max = 2;
+  const Navigator navigator = vfh_plus(fast, {.window = 0.5});
+  Observation seen = Flatland({{1.3, -2, 1.3, 2}}).observation({}, 0, 0);
+  seen.odometry.v = 1;
+  EXPECT_LT(navigator.step(seen, at({5, 0})).command.v, 1.2);
+}
 
 TEST(FreeArc, StraightAndCurvedAgreeWithSmallSteps) {
   Stream random(9, "arcs");
