@@ -18,6 +18,7 @@ const TopologicMapOptions& checked(const TopologicMapOptions& options) {
 
 TopologicMap::TopologicMap(const TopologicMapOptions& options, const SenseSuite& suite)
     : options_(checked(options)),
+      suite_(suite),
       metric_(suite.whiskers, suite.lights, options.scales),
       smoother_(suite.whiskers, options.touch_smoothing),
       net_(options.net, metric_, options.scales.position),

@@ -65,6 +65,7 @@ class TopologicMap {
   const TopologicMapOptions& options() const { return options_; }
   const GrowingNet& net() const { return net_; }
   GrowingNet& net() { return net_; }
+  const SenseSuite& suite() const { return suite_; }
   int whiskers() const { return metric_.touch(); }
   int lights() const { return metric_.light(); }
   /// Samples so far.
@@ -99,6 +100,7 @@ class TopologicMap {
   }
 
   TopologicMapOptions options_;
+  SenseSuite suite_;
   SenseMetric metric_;
   TouchSmoother smoother_;
   GrowingNet net_;
