@@ -7,6 +7,9 @@
 namespace meander {
 namespace {
 
+/// To the micrometre, so that files are pleasant to read.
+Vec2 rounded(const Vec2& at) { return (at * 1e6).array().round() / 1e6; }
+
 /// Draws the walls as runs of corners, those along x first.
 class Mason {
  public:
@@ -17,7 +20,7 @@ class Mason {
       for (int x = 0; x <= labyrinth.columns(); ++x) {
         const double dx = stream.uniform(-walls.jitter, walls.jitter), dy = stream.uniform(-walls.jitter, walls.jitter);
         const bool inner = x > 0 && y > 0 && x < labyrinth.columns() && y < labyrinth.rows();
-        corners_[{x, y}] = walls.corridor * (Vec2(x, y) + (inner ? Vec2(dx, dy) : Vec2(0, 0)));
+        corners_[{x, y}] = rounded(walls.corridor * (Vec2(x, y) + (inner ? Vec2(dx, dy) : Vec2(0, 0))));
       }
   }
 
@@ -70,12 +73,12 @@ World labyrinth_world(const Labyrinth& labyrinth, const LabyrinthWalls& walls, s
   const double side = walls.corridor;
   Header header;
   header.title = "labyrinth";
-  header.bounds = {{0, 0}, side * Vec2(labyrinth.columns(), labyrinth.rows())};
+  header.bounds = {{0, 0}, rounded(side * Vec2(labyrinth.columns(), labyrinth.rows()))};
   const double heading = labyrinth.open({0, 0}, 0) ? 0 : kPi / 2;
   header.start = Pose2{side / 2, side / 2, heading};
   World world(header);
   Mason(labyrinth, walls, seed).build(world);
-  const Vec2 goal = header.bounds.high - side * Vec2(0.5, 0.5);
+  const Vec2 goal = rounded(header.bounds.high - side * Vec2(0.5, 0.5));
   world.add(Place{.name = "goal", .position = goal, .heading = {}, .tolerance = 0.25});
   world.forget_history();
   return world;
