@@ -14,7 +14,9 @@ Vec2 rounded(const Vec2& at) { return (at * 1e6).array().round() / 1e6; }
 class Mason {
  public:
   Mason(const Labyrinth& labyrinth, const LabyrinthWalls& walls, std::uint64_t seed)
-      : labyrinth_(labyrinth), jittered_(walls.jitter > 0), corners_(labyrinth.columns() + 1, labyrinth.rows() + 1) {
+      : labyrinth_(labyrinth),
+        jittered_(walls.jitter > 0),
+        corners_(labyrinth.columns() + 1, labyrinth.rows() + 1, Vec2(0, 0)) {
     Stream stream(seed, "labyrinth walls");
     for (int y = 0; y <= labyrinth.rows(); ++y)
       for (int x = 0; x <= labyrinth.columns(); ++x) {

@@ -133,8 +133,8 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedWorld, testing::ValuesIn(shipped_names()),
 
 TEST(ShippedWorlds, AreAllThere) {
   const auto names = shipped_names();
-  for (const char* name :
-       {"clutter", "doors", "four_targets", "l_corner", "lab", "large_u", "maze", "office", "people", "u_trap"})
+  for (const char* name : {"clutter", "doors", "four_targets", "l_corner", "lab", "labyrinth", "large_u", "maze",
+                           "office", "people", "u_trap"})
     EXPECT_TRUE(std::binary_search(names.begin(), names.end(), name)) << name;
 }
 
