@@ -76,8 +76,7 @@ PlanningResult search_result(const PlanningProblem& problem, const GraphSearch& 
   if (end)
     result.way = search.way_to(*end);
   else
-    result.reason =
-        fmt::format("no way leads from the start in cell ({}, {}) to a target", problem.start->x, problem.start->y);
+    result.reason = cut_off_reason(problem);
   return result;
 }
 

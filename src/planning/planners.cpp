@@ -47,7 +47,10 @@ PlanningResult solve(const PlanningProblem& problem, const std::string& planner,
   const Planner chosen = planner_by_name(planner);
   validate(options.neural_map);
   validate(options.harmonic);
-  if (std::string reason = no_path_reason(problem, work); !reason.empty()) return {.value = {}, .reason = reason};
+  // A search finds out by itself whether a way leads there.
+  const bool search = chosen == plain<astar> || chosen == plain<theta_star>;
+  std::string reason = search ? bad_place_reason(problem) : no_path_reason(problem, work);
+  if (!reason.empty()) return {.value = {}, .reason = std::move(reason)};
   return chosen(problem, options, work);
 }
 

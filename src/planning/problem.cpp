@@ -17,13 +17,20 @@ void check_size(const char* what, int width, int height, const Grid<std::uint8_t
 
 std::string at(Cell cell) { return fmt::format("({}, {})", cell.x, cell.y); }
 
+/// The cell of what stands there that holds this cell's centre.
+Cell square_of(const PlanningProblem& problem, Cell cell) {
+  const Vec2 center = cell_center(problem.lattice, cell);
+  return {std::min(static_cast<int>(center.x()), problem.solid().width() - 1),
+          std::min(static_cast<int>(center.y()), problem.solid().height() - 1)};
+}
+
 /// "" or why nobody can stand there.
 std::string trouble(const PlanningProblem& problem, const char* what, Cell cell) {
   if (!problem.blocked.contains(cell))
     return fmt::format("{} in cell {} lies outside of the map of {} x {} cells", what, at(cell),
                        problem.blocked.width(), problem.blocked.height());
   if (problem.blocked[cell] == 0) return {};
-  if (problem.robot_radius > 0 && problem.solid()[cell] == 0)
+  if (problem.robot_radius > 0 && problem.solid()[square_of(problem, cell)] == 0)
     return fmt::format("{} in cell {} is nearer to a wall than the robot's radius", what, at(cell));
   return fmt::format("{} in cell {} lies in a wall", what, at(cell));
 }
@@ -42,7 +49,7 @@ void validate(const PlanningProblem& problem) {
   if (problem.targets.empty()) fail("targets: at least one expected, got none");
   if (!(problem.robot_radius >= 0) || !std::isfinite(problem.robot_radius))
     fail("robot_radius: a number >= 0 expected, got {}", problem.robot_radius);
-  if (!problem.obstacles.cells().empty())
+  if (!problem.obstacles.cells().empty() && problem.lattice != Lattice::hexagonal)
     check_size("obstacles", problem.obstacles.width(), problem.obstacles.height(), map);
   if (!problem.difficulty.cells().empty())
     check_size("difficulty", problem.difficulty.width(), problem.difficulty.height(), map);
@@ -53,18 +60,24 @@ void validate(const PlanningProblem& problem) {
     if (!(drag.squaredNorm() < 1)) fail("drag: vectors shorter than 1 expected, got ({}, {})", drag.x(), drag.y());
 }
 
-std::string no_path_reason(const PlanningProblem& problem, const Work& work) {
+std::string bad_place_reason(const PlanningProblem& problem) {
   validate(problem);
   if (free_targets(problem).empty()) {
     const std::string first = trouble(problem, "the target", problem.targets.front());
     return problem.targets.size() == 1 ? first : fmt::format("no target can be stood on: {}", first);
   }
-  if (!problem.start) return {};
-  if (const std::string bad = trouble(problem, "the start", *problem.start); !bad.empty()) return bad;
-  if (reachable_cells(problem, work)[*problem.start] == 0)
-    return fmt::format("the start in cell {} is cut off from {}", at(*problem.start),
-                       problem.targets.size() == 1 ? "the target in cell " + at(problem.targets.front())
-                                                   : fmt::format("all {} targets", problem.targets.size()));
+  return problem.start ? trouble(problem, "the start", *problem.start) : std::string();
+}
+
+std::string cut_off_reason(const PlanningProblem& problem) {
+  return fmt::format("the start in cell {} is cut off from {}", at(*problem.start),
+                     problem.targets.size() == 1 ? "the target in cell " + at(problem.targets.front())
+                                                 : fmt::format("all {} targets", problem.targets.size()));
+}
+
+std::string no_path_reason(const PlanningProblem& problem, const Work& work) {
+  if (std::string bad = bad_place_reason(problem); !bad.empty()) return bad;
+  if (problem.start && reachable_cells(problem, work)[*problem.start] == 0) return cut_off_reason(problem);
   return {};
 }
 

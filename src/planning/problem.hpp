@@ -39,9 +39,12 @@ struct PlanningProblem {
 /// drag that is not finite and < 1, a radius < 0.
 void validate(const PlanningProblem& problem);
 
-/// Why there cannot be a path, in words: the start or all targets outside of the grid or in a wall, or no way between
-/// them; empty otherwise. Asks `start` only where it is given. Calls validate().
+/// Why there cannot be a path, in words: the start or all targets outside of the map or in a wall. Empty otherwise.
+/// Asks `start` only where it is given. Calls validate().
+std::string bad_place_reason(const PlanningProblem& problem);
+/// The same, and whether a way leads from the start to a target.
 std::string no_path_reason(const PlanningProblem& problem, const Work& work = {});
+std::string cut_off_reason(const PlanningProblem& problem);
 
 /// The targets that are inside and free.
 std::vector<Cell> free_targets(const PlanningProblem& problem);

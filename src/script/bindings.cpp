@@ -31,6 +31,10 @@ void bind_all(lua_State* L) {
   bind_study(L);
   bind_mapping_map(L);
   bind_map_score(L);
+  bind_map_navigators(L);
+  bind_sonar_log(L);
+  bind_planning_map(L);
+  bind_plan(L);
   bind_indicator(L);
   bind_explorer(L);
   bind_shortest_path(L);
