@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include "mapping/classic_models.hpp"
 #include "mapping/sonar_map.hpp"
 #include "script/kit_object.hpp"
 
@@ -17,8 +18,12 @@ struct MapChoice {
   std::string name = "nn4";
   std::string preset = "ideal";
   bool table = false;
+  ConeModelOptions elfes;
+  RangeLayerOptions ros;
 
   SonarModel model(const Platform& platform) const {
+    if (name == "elfes") return cone_model(platform.sonar, elfes);
+    if (name == "ros") return range_layer_model(platform.sonar, ros);
     return sonar_model(name, {.ring = platform.sonar, .preset = preset, .table = table});
   }
 };
@@ -28,6 +33,8 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"model", "", "what scans tell about cells; meander.mapping.models() names them"}, o.name);
   visit(Field{"preset", "", "networks: sonar that their weights were trained for"}, o.preset);
   visit(Field{"table", "", "networks: compiled to a lookup table, faster and a little worse"}, o.table);
+  visit(Field{"elfes", "", "options of the model of this name"}, o.elfes);
+  visit(Field{"ros", "", "options of the model of this name"}, o.ros);
 }
 
 }  // namespace meander::script
