@@ -13,7 +13,8 @@ function candidates.chosen(text, known, what)
     local found = false
     for _, other in ipairs(known) do found = found or other == name end
     if not found then
-      report.usage_error(("unknown %s '%s' (known: %s, all)"):format(what, name, table.concat(known, ", ")))
+      report.usage_error(("unknown %s '%s'%s (known: %s, all)"):format(
+        what, name, meander.did_you_mean(name, known), table.concat(known, ", ")))
     end
     list[#list + 1] = name
   end
