@@ -12,6 +12,7 @@ local options = require "meander.arguments" {
   { "--after SECONDS", default = 6.0, help = "drives so long before it looks" },
   { "--world FILE", default = "worlds/u_trap.toml", help = "where it drives, from the world's start" },
   { "--subgoal NAME", default = "goal", help = "a place of the world" },
+  { "--memory N", default = 10, help = "scans that are remembered" },
   { "--seed N", default = 1, help = "seed of all random streams" },
   { "--json", help = "one JSON object instead of text" },
   { "--out DIR", default = "out", help = "folder of the pictures" },
@@ -26,7 +27,7 @@ end
 local world = try(report.failure, meander.world.open, options.world)
 local place = try(report.usage_error, world.get, world, options.subgoal)
 
-local navigator = meander.polar.navigator {}
+local navigator = try(report.usage_error, meander.polar.navigator, { memory = { scans = options.memory } })
 local sim = meander.sim.new { world = world, seed = options.seed }
 local goal = { x = place.position[1], y = place.position[2], tolerance = 0.1 }
 local v, w, status, reason = navigator:step(sim.observation, goal)

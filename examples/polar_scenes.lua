@@ -9,6 +9,7 @@ local candidates = require "meander.candidates"
 local json = require "meander.json"
 local report = require "meander.report"
 local scenes = require "meander.scenes"
+local trials = require "meander.scene_trials"
 
 local options = require "meander.arguments" {
   about = "measures navigators on the scenes of local navigation",
@@ -17,13 +18,15 @@ local options = require "meander.arguments" {
   { "--options TEXT", default = "", help = "options of the navigator, as in a Lua table" },
   { "--seeds N", default = 20, help = "trials per scene; seeds without a feasible scene are passed over" },
   { "--first-seed S", default = 2000, help = "their seeds begin here; the navigators were tuned on 1 to 1000" },
-  { "--sonar NAME", default = "nomad", help = "ideal, nomad or real" },
-  { "--drift SHARE", default = 0.0, help = "odometry tells ways and turns wrong by so much, either way" },
+  { "--sonar NAME", default = "nomad", help = "ideal, nomad, real or crosstalk: real, in pairs that hear each other" },
+  { "--drift SHARE", default = 0.0, help = "odometry tells ways wrong by so much, either way" },
+  { "--turn-drift SHARE", default = 0.0, help = "and turns" },
   { "--jitter SHARE", default = 0.0, help = "standard deviation of the control period" },
+  { "--delay CYCLES", default = 0, help = "commands take effect so much later" },
   { "--list", help = "tells the names of the scenes" },
   { "--json", help = "one JSON object per scene and navigator instead of text" },
   { "--jobs N", default = 0, help = "worker processes; 0: one per core" },
-  { "--out DIR", default = "", help = "folder for pictures of the first run of each scene; none when empty" },
+  { "--out DIR", default = "", help = "folder for pictures of the runs; none when empty" },
 }
 
 local chosen, column, sum, median = candidates.chosen, candidates.column, candidates.sum, candidates.median
@@ -35,41 +38,15 @@ local keys = {
 
 local navigator_of = candidates.maker(options.options)
 
-local function drive(name, navigator, seed)
-  local scene, why = scenes.make(name, seed)
-  if not scene then return { passed_over = why } end
-  local sign = (seed % 2 == 0) and 1 or -1
-  local sim = meander.sim.new {
-    world = scene.world, start = scene.start, robot = "nomad200", sonar = options.sonar, seed = seed,
-    period_jitter = options.jitter,
-    drift = { distance_bias = sign * options.drift, turn_bias = (seed % 4 < 2 and 1 or -1) * options.drift },
-  }
-  local run = sim:drive {
-    navigator = navigator_of(navigator, "nomad200"), subgoals = scene.subgoals, hand_over = scene.hand_over,
-    when_trapped = "insist", time_limit = scene.time_limit, record_every = options.out == "" and 0 or 1,
-  }
-  if options.out ~= "" then run:save(report.path(options, ("%s_%s_%d.svg"):format(name, navigator, seed))) end
-  return {
-    success = run.success, contacts = run.contacts, fault_contacts = run.fault_contacts, trapped = run.trapped,
-    time = run.time, length = run.length, clearance = run.clearance_min, cycle_us = 1e6 * run.cpu_per_cycle,
-  }
-end
-
--- Runs of `count` seeds that have a scene; at most ten times as many are looked at.
-local function trials(name, navigator, count)
-  local runs, seed = {}, options.first_seed
-  local last = seed + 10 * count
-  while #runs < count and seed < last do
-    local seeds = {}
-    for i = 1, count - #runs do seeds[i], seed = seed, seed + 1 end
-    for _, result in ipairs(meander.study.trials { seeds = seeds, jobs = options.jobs, trial = function(s)
-      return drive(name, navigator, s)
-    end }) do
-      if not result.ok then error(("%s, %s, seed %d: %s"):format(name, navigator, result.seed, result.error), 0) end
-      if not result.value.passed_over then runs[#runs + 1] = result.value end
-    end
+local function trials_of(name, navigator)
+  local which = { count = options.seeds, first_seed = options.first_seed, jobs = options.jobs }
+  if options.out ~= "" then
+    which.out = function(seed) return report.path(options, ("%s_%s_%d.svg"):format(name, navigator, seed)) end
   end
-  return runs, seed - options.first_seed
+  return trials.over(name, function() return navigator_of(navigator, "nomad200") end, which, {
+    sonar = options.sonar, drift = options.drift, turn_drift = options.turn_drift, jitter = options.jitter,
+    delay = options.delay,
+  })
 end
 
 local function say(name, navigator, runs, looked_at)
@@ -108,11 +85,11 @@ if options.list then
   for _, name in ipairs(scenes.names()) do print(("%-18s %s"):format(name, scenes.text(name))) end
   os.exit(0, true)
 end
-if options.seeds < 1 then report.usage_error("--seeds: at least 1 expected, got " .. options.seeds) end
-if options.first_seed < 0 then report.usage_error("--first-seed: at least 0 expected, got " .. options.first_seed) end
-chosen(options.sonar, { "ideal", "nomad", "real" }, "sonar")
+trials.check(options)
+if options.delay < 0 then report.usage_error("--delay: at least 0 expected, got " .. options.delay) end
+chosen(options.sonar, trials.sonars, "sonar")
 for _, navigator in ipairs(chosen(options.navigator, meander.autonomy.navigators(), "navigator")) do
   for _, name in ipairs(chosen(options.scene, scenes.names(), "scene")) do
-    say(name, navigator, trials(name, navigator, options.seeds))
+    say(name, navigator, trials_of(name, navigator))
   end
 end
