@@ -30,15 +30,22 @@ void bind_all(lua_State* L) {
   bind_sensor(L);
   bind_study(L);
   bind_mapping_map(L);
+  bind_mapping_model(L);
+  bind_mapping_train(L);
   bind_map_score(L);
   bind_map_navigators(L);
   bind_sonar_log(L);
   bind_planning_map(L);
   bind_plan(L);
+  bind_planned_route(L);
   bind_indicator(L);
   bind_explorer(L);
   bind_shortest_path(L);
   bind_labyrinth(L);
+  bind_topology(L);
+  bind_topology_drive(L);
+  bind_minimal_map(L);
+  bind_place_scores(L);
   bind_words(L);
   bind_help(L);
 }
