@@ -26,6 +26,7 @@ local options = require "meander.arguments" {
   { "--index N", default = 0, help = "which world of a BARN file" },
   { "--navigator NAMES", default = "polar", help = "who drives; with --seeds also several with commas, or all" },
   { "--robot NAME", default = "nomad200", values = meander.robot.platforms(), help = "kind of robot" },
+  { "--radius M", default = 0.0, help = "of its body, with the rings on it; 0: its own" },
   { "--sonar NAME", default = "nomad", values = meander.sensor.sonars(), help = "sonar preset" },
   { "--tolerance M", default = 0.25, help = "a point is reached from so far" },
   { "--jobs N", default = 0, help = "worker processes; 0: one per core" },
@@ -68,8 +69,15 @@ elseif not world.start then
 end
 for i, goal in ipairs(goals) do goals[i] = { x = goal[1], y = goal[2], tolerance = options.tolerance } end
 
+local robot = { preset = options.robot }
+if options.radius < 0 then report.usage_error("--radius: at least 0 m expected, got " .. options.radius) end
+if options.radius > 0 then
+  robot.body, robot.bumper = { radius = options.radius }, { radius = options.radius }
+  robot.sonar = { radius = 0.86 * options.radius }
+end
+
 local function drive(navigator, seed, from, more)
-  local sim = meander.sim.new { world = world, robot = options.robot, sonar = options.sonar, start = from, seed = seed }
+  local sim = meander.sim.new { world = world, robot = robot, sonar = options.sonar, start = from, seed = seed }
   local how = { navigator = navigator, subgoals = goals, time_limit = options.time_limit }
   for key, value in pairs(more) do how[key] = value end
   return sim:drive(how)

@@ -38,6 +38,25 @@ end
 local function options_for(name, robot)
   if name == "polar" then
     return { control = { soft_speed = robot.body.v_max / 2, samples = 24 }, map = { kappa = 20 } }
+  elseif name == "vfh_plus" then
+    return {
+      window = 1.33, enlarge = 0.027, low = 0.242, high = 0.607, wide_valley = 9, heading_weight = 0.80, half_cone = 0.124,
+      steering = { turn_gain = 3.5, margin = 0.095, headway = 0.345, caution = 0.276 }, memory = { scans = 9, contradictions = 3 },
+    }
+  elseif name == "dynamic_window" then
+    return {
+      heading_weight = 5.18, distance_weight = 0.395, speed_weight = 1.41, margin = 0.037, reach = 1.09, half_cone = 0.073,
+      memory = { scans = 8, contradictions = 4 },
+    }
+  elseif name == "tangent_bug" then
+    return {
+      reach = 4, clearance = 0.1, jump = 0.306, constancy = 0.507, follow_look = 0.657, half_cone = 0.138,
+      steering = { turn_gain = 1.8, margin = 0.068, headway = 0.42, caution = 0.08 }, memory = { contradictions = 2 },
+    }
+  elseif name == "potential_field" then
+    return {
+      influence = 1.5, repulsion = 0.00257, turn_gain = 0.79, margin = 0.012, headway = 0.098, caution = 0.024, half_cone = 0.2,
+    }
   end
   return {}
 end
@@ -45,6 +64,7 @@ end
 --- A navigator for this robot.
 function fields.navigator(name, robot)
   local options = options_for(name, robot)
+  if options.half_cone then options.half_cone = math.min(options.half_cone, math.pi / robot.sonar.count) end
   options.robot = robot
   return meander.polar[name == "polar" and "navigator" or name](options)
 end
