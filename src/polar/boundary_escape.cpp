@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "polar/boundary_escape.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "polar/near_points.hpp"
 
 namespace meander {
@@ -9,19 +12,27 @@ namespace {
 
 constexpr double kAhead = 1.2;     ///< distance of temporary targets at most [m]
 constexpr double kAnywhere = 0.3;  ///< what counts as another place [m]
-constexpr double kLeast = 1.0;     ///< before it has gone so far, what is in reach is what did not help before [m]
+constexpr double kApart = 0.25;    ///< between places that are remembered [m]
+constexpr double kAlike = 0.8;     ///< headings so near are the same direction along a wall [rad]
+constexpr double kRound = 4.0;     ///< a way round is at least so long [m]
+constexpr std::size_t kMostPassed = 512;
 
 }  // namespace
 
 BoundaryEscape::BoundaryEscape(const Platform& platform, const BoundaryEscapeOptions& options)
-    : body_radius_(platform.body.radius), options_(options), ways_(options.directions, options.reach) {}
+    : body_radius_(platform.body.radius), options_(options), ways_(options.directions, options.reach) {
+  passed_.reserve(kMostPassed);
+}
 
-void BoundaryEscape::begin(double time, const Pose2& pose, const Vec2& target, double nearest, bool left) {
+void BoundaryEscape::begin(double time, const Pose2& pose, const Vec2& target, double nearest, bool left,
+                           double least) {
   const Vec2 way = target - pose.position();
   const double side = left ? -1 : 1;
   walk_.emplace(side, angle_of(way.y(), way.x()) - side * kPi / 2, nearest, pose.position());
   place_ = pose.position();
   since_ = time;
+  least_ = least;
+  passed_.clear();
 }
 
 BoundaryEscape::State BoundaryEscape::update(double time, const Pose2& pose, const Vec2& target,
@@ -40,12 +51,25 @@ BoundaryEscape::State BoundaryEscape::update(double time, const Pose2& pose, con
 }
 
 BoundaryEscape::State BoundaryEscape::judge(double time, const Pose2& pose, double patience) {
-  const bool under_way = walk_->driven() > kLeast;
-  if (!under_way) walk_->begin_here();
-  if (under_way && walk_->over(options_.leave)) return State::over;
-  if (walk_->came_round(options_.loop)) return State::round;
+  if (walk_->driven() > least_ && walk_->over(options_.leave)) return State::over;
+  if (passed_before(pose)) return State::round;
+  remember(pose);
   if ((pose.position() - place_).norm() > kAnywhere) place_ = pose.position(), since_ = time;
   return time - since_ > patience ? State::stuck : State::walking;
+}
+
+/// The same place in the same direction along the same wall: so it would go on for ever.
+bool BoundaryEscape::passed_before(const Pose2& pose) const {
+  return std::any_of(passed_.begin(), passed_.end(), [&](const Passed& then) {
+    return walk_->driven() - then.driven > kRound && (pose.position() - then.pose.position()).norm() < options_.loop &&
+           std::abs(angle_between(pose.heading, then.pose.heading)) < kAlike;
+  });
+}
+
+void BoundaryEscape::remember(const Pose2& pose) {
+  const double driven = walk_->driven();
+  if (passed_.size() == kMostPassed || (!passed_.empty() && driven - passed_.back().driven < kApart)) return;
+  passed_.push_back({pose, driven});
 }
 
 /// Along the wall; where nothing is free far enough, the way that is free the farthest.

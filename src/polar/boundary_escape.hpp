@@ -24,7 +24,8 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"look", "m", "free way that makes a direction good enough along a wall", 0.01, 100}, o.look);
   visit(Field{"leave", "m", "over when a place so much nearer to the target than ever before is in reach", 0, 100},
         o.leave);
-  visit(Field{"loop", "m", "coming so near to where it began means that there is no way on this side", 0, 100}, o.loop);
+  visit(Field{"loop", "m", "coming so near to where it has been means that there is no way on this side", 0, 100},
+        o.loop);
 }
 
 /// Out of a trap of any size: along the boundary of what is in the way, by a temporary target ahead of the robot.
@@ -32,8 +33,9 @@ class BoundaryEscape {
  public:
   BoundaryEscape(const Platform& platform, const BoundaryEscapeOptions& options);
 
-  /// `left`: goes left, the wall on the right. `nearest`: how near to the target the robot ever was [m].
-  void begin(double time, const Pose2& pose, const Vec2& target, double nearest, bool left);
+  /// `left`: goes left, the wall on the right. `nearest`: how near to the target the robot ever was [m]. `least`: the
+  /// way before it can be over [m].
+  void begin(double time, const Pose2& pose, const Vec2& target, double nearest, bool left, double least);
   void stop() { walk_.reset(); }
   bool active() const { return walk_.has_value(); }
 
@@ -45,7 +47,15 @@ class BoundaryEscape {
 
  private:
   State judge(double time, const Pose2& pose, double patience);
+  bool passed_before(const Pose2& pose) const;
+  void remember(const Pose2& pose);
   void choose(const Pose2& pose);
+
+  /// A place along the wall and the heading there, after so long a way [m].
+  struct Passed {
+    Pose2 pose;
+    double driven;
+  };
 
   double body_radius_;
   BoundaryEscapeOptions options_;
@@ -55,6 +65,8 @@ class BoundaryEscape {
   Vec2 temporary_{0, 0};
   Vec2 place_{0, 0};  ///< where it was when it last got anywhere
   double since_ = 0;
+  double least_ = 0;
+  std::vector<Passed> passed_;
 };
 
 }  // namespace meander

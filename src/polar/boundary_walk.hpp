@@ -23,8 +23,6 @@ class BoundaryWalk {
   void advance(const Pose2& pose, const Vec2& target, const FreeWays& ways, const std::vector<Vec2>& points);
   /// Is a place in reach that is nearer to the target by `leave` [m] than all of the boundary?
   bool over(double leave) const { return reach_ < nearest_ - leave; }
-  /// A loop ends here, not where it set out: that may have been far from the wall.
-  void begin_here() { begin_ = here_; }
   /// Back to within `loop` metres of where it began: there is no way.
   bool came_round(double loop) const { return driven_ > kRound * loop && (here_ - begin_).norm() < loop; }
   /// The first direction with a free way of `look` metres, seen from the wall on; none: nowhere.

@@ -4,7 +4,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace meander {
+namespace {
+
+/// Before it has gone so far, what is in reach is what did not help before [m]; twice as far at each further try.
+constexpr double kLeast = 1.0;
+
+}  // namespace
 
 TrapEscapes::TrapEscapes(const Platform& platform, const TrapOptions& options)
     : options_(options), watch_(options.patience, options.progress), escape_(platform, options.escape) {}
@@ -48,7 +56,8 @@ TrapEscapes::Verdict TrapEscapes::next(const Observation& observation, const Vec
   }
   to_the_left_ = left;
   ++escapes_;
-  escape_.begin(observation.time, observation.odometry.pose, target, watch_.nearest(), left);
+  escape_.begin(observation.time, observation.odometry.pose, target, watch_.nearest(), left,
+                kLeast * (1 << std::min(escapes_ - 1, 10)));
   return {false,
           fmt::format("{}: escape {} of {}, to the {}", where, escapes_, options_.escapes, left ? "left" : "right")};
 }
@@ -60,7 +69,7 @@ TrapEscapes::Verdict TrapEscapes::go_on(const Observation& observation, const Ve
       watch_.begin(observation.time);
       return {};
     case round:
-      return next(observation, target, "came round to where it met the obstacle", !to_the_left_);
+      return next(observation, target, "came round to where it has been", !to_the_left_);
     case stuck:
       return next(observation, target, fmt::format("no way on for {:g} s", options_.patience), !to_the_left_);
     case walking:
