@@ -8,10 +8,10 @@ namespace meander {
 
 struct ConeModelOptions {
   double half_cone = 0.2181661564992912;
-  double depth = 0.1;
-  double free = 0.6;
-  double occupied = 0.6;
-  double trust = 3;
+  double depth = 0.075;
+  double free = 0.7;
+  double occupied = 0.95;
+  double trust = 2;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, ConeModelOptions>
