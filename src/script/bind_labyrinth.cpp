@@ -153,25 +153,7 @@ constexpr Arg kColumn{"column", "of the cell, 1 first"};
 constexpr Arg kRow{"row", "of the cell, 1 first"};
 constexpr Arg kSide{"side", "which"};
 
-}  // namespace
-
-void bind_labyrinth(lua_State* L) {
-  Module(L, "meander.world", "")
-      .function<&make_world>(Doc{
-          .name = "labyrinth",
-          .text = "Makes the world of a labyrinth from a seed: corridors between thin walls, or crooked ones.",
-          .args = {{"options", "the labyrinth and its walls"}},
-          .returns = "the world, with a start in the first cell and the place 'goal' in the last",
-          .errors = "a number out of range",
-          .example = "w = meander.world.labyrinth { kind = 'prim', size = 8, loops = 0.1, corridor = 1.2 } show(w)"});
-  Module(L, "meander.indicator", "")
-      .function<&make>(Doc{
-          .name = "labyrinth",
-          .text = "The cells of a labyrinth, on which rules can be tried without sensors and driving.",
-          .args = {{"options", "kind, size, loops, rooms, seed"}},
-          .returns = "the labyrinth",
-          .errors = "a number out of range",
-          .example = LABYRINTH "print(l:explore(meander.indicator.explorer { goal = l.goal }).length, l:shortest())"});
+void bind_cells(lua_State* L) {
   Type<Labyrinth>(L, "Cells of 1 m with or without walls between them.")
       .method<&explore>(
           Doc{.name = "explore",
@@ -215,6 +197,28 @@ void bind_labyrinth(lua_State* L) {
           .name = "goal", .text = "Centre of the last cell.", .unit = "m", .example = LABYRINTH "print(l.goal.x)"})
       .picture<&picture>()
       .text<&text>();
+}
+
+}  // namespace
+
+void bind_labyrinth(lua_State* L) {
+  Module(L, "meander.world", "")
+      .function<&make_world>(Doc{
+          .name = "labyrinth",
+          .text = "Makes the world of a labyrinth from a seed: corridors between thin walls, or crooked ones.",
+          .args = {{"options", "the labyrinth and its walls"}},
+          .returns = "the world, with a start in the first cell and the place 'goal' in the last",
+          .errors = "a number out of range",
+          .example = "w = meander.world.labyrinth { kind = 'prim', size = 8, loops = 0.1, corridor = 1.2 } show(w)"});
+  Module(L, "meander.indicator", "")
+      .function<&make>(Doc{
+          .name = "labyrinth",
+          .text = "The cells of a labyrinth, on which rules can be tried without sensors and driving.",
+          .args = {{"options", "kind, size, loops, rooms, seed"}},
+          .returns = "the labyrinth",
+          .errors = "a number out of range",
+          .example = LABYRINTH "print(l:explore(meander.indicator.explorer { goal = l.goal }).length, l:shortest())"});
+  bind_cells(L);
 }
 
 }  // namespace meander::script
