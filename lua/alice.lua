@@ -1,0 +1,98 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- SPDX-FileCopyrightText: the meander authors
+-- What the studies of ALICE's topologic maps share: a robot that explores a world and makes its map, the truth beside it.
+local candidates = require "meander.candidates"
+local json = require "meander.json"
+local report = require "meander.report"
+
+local alice = { worlds = { "alice_loop", "alice_rooms", "alice_grid" } }
+
+--- Explores a world. `options`: world (a name), seed, samples, correction (false: dead reckoning alone), drift ('alice'),
+--- map (options of the map), each(sample, robot) called after every cycle. Returns the robot: {world, sim, map, scores}.
+function alice.explore(options)
+  local world = meander.world.open("worlds/" .. options.world .. ".toml")
+  local settings = {}
+  for key, value in pairs(options.map or {}) do settings[key] = value end
+  if options.correction == false then settings.correlation = { gain = 0, turn_gain = 0 } end
+  local sim = meander.sim.new { world = world, robot = "alice", drift = options.drift or "alice", seed = options.seed }
+  local robot = { world = world, sim = sim, map = meander.topology.map(settings) }
+  robot.scores = meander.study.place_scores(sim)
+  local sample = 0
+  sim:drive {
+    navigator = meander.topology.whiskers { patience = 1e6 },
+    guide = meander.topology.wander { map = robot.map, samples = options.samples, seed = options.seed },
+    time_limit = 1e6, record_every = 0,
+    on_step = function()
+      sample = sample + 1
+      robot.scores:add(robot.map)
+      if options.each then options.each(sample, robot) end
+    end,
+  }
+  return robot
+end
+
+--- Sends a copy of the robot to a place of its map. Independent of all other drives. Returns whether it arrived, whether
+--- it wrongly believed so, and the reason.
+function alice.go(robot, place, options)
+  local target = robot.scores:true_place(robot.map, place)
+  local sim, map = robot.sim:fork(), robot.map:copy()
+  local run = sim:drive {
+    navigator = meander.topology.whiskers { patience = 1e6 },
+    guide = meander.topology.route { map = map, to = place, route = options and options.route },
+    time_limit = 1e6, record_every = 0,
+  }
+  local at = sim.state.pose
+  local near = math.sqrt((at[1] - target.x) ^ 2 + (at[2] - target.y) ^ 2) < 0.5
+  return run.success and near, run.success and not near, run.reason, run
+end
+
+--- Runs trial(seed) for all seeds of the command line; their values in order.
+function alice.trials(options, trial)
+  if options.seeds < 1 then report.usage_error("--seeds: at least 1 expected, got " .. options.seeds) end
+  if options.first_seed < 0 then report.usage_error("--first-seed: at least 0 expected, got " .. options.first_seed) end
+  local seeds, values = {}, {}
+  for i = 1, options.seeds do seeds[i] = options.first_seed + i - 1 end
+  for _, result in ipairs(meander.study.trials { seeds = seeds, jobs = options.jobs, trial = trial }) do
+    if not result.ok then report.failure(("seed %d: %s"):format(result.seed, result.error)) end
+    values[#values + 1] = result.value
+  end
+  return values
+end
+
+--- One line of a study: fixed words first, then the means of figures over the trials with their intervals. `names` lists
+--- the figures; trials without one do not count for it.
+function alice.line(words, trials, names)
+  local line, keys = {}, {}
+  local function put(key, value)
+    line[key] = value
+    keys[#keys + 1] = key
+  end
+  for _, word in ipairs(words) do put(word[1], word[2]) end
+  for _, name in ipairs(names) do
+    local values = {}
+    for _, trial in ipairs(trials) do values[#values + 1] = trial[name] end
+    if #values > 0 then
+      local mean, low, high = meander.study.bootstrap_mean(values)
+      put(name, candidates.rounded(mean, 4))
+      put(name .. "_low", candidates.rounded(low, 4))
+      put(name .. "_high", candidates.rounded(high, 4))
+    end
+  end
+  return line, keys
+end
+
+--- Prints such a line as JSON or as text.
+function alice.print(options, words, trials, names)
+  local line, keys = alice.line(words, trials, names)
+  if options.json then return print(json.encode(line, keys)) end
+  local text = {}
+  for _, word in ipairs(words) do text[#text + 1] = word[1] .. " " .. tostring(word[2]) end
+  for _, name in ipairs(names) do
+    if line[name] then
+      text[#text + 1] = ("%s %.4g (%.4g, %.4g)"):format(name, line[name], line[name .. "_low"], line[name .. "_high"])
+    end
+  end
+  print(table.concat(text, ", "))
+end
+
+return alice
