@@ -71,6 +71,12 @@ template <int Shift, int Lanes>
   }
 }
 
+/// x *= a
+template <int Lanes>
+[[gnu::always_inline]] inline void scale(Block<Lanes>& x, double a) {
+#pragma GCC unroll 4
+  for (int p = 0; p < Block<Lanes>::kParts; ++p) x.part[p] = x.part[p] * a;
+}
 /// sum += x
 template <int Lanes>
 [[gnu::always_inline]] inline void add(Block<Lanes>& sum, const Block<Lanes>& x) {

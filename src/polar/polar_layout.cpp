@@ -41,20 +41,59 @@ std::vector<double> radii_of(const PolarLayoutOptions& o) {
 }  // namespace
 
 PolarLayout::PolarLayout(const PolarLayoutOptions& options)
-    : rings_(options.rings), sectors_(options.sectors), spacing_(2 * kPi / options.sectors) {
+    : rings_(options.rings),
+      sectors_(options.sectors),
+      spacing_(2 * kPi / options.sectors),
+      even_(options.layout == PolarPlacing::fixed) {
   validate(options);
   radii_ = radii_of(options);
   for (int k = 0; k < sectors_; ++k) {
+    bearings_.push_back(wrap_angle(spacing_ * k));
     const SinCos t = sin_cos(bearing(k));
     directions_.emplace_back(t.cos, t.sin);
   }
+  gaps_.assign(static_cast<std::size_t>(sectors_), spacing_);
+  borders_.resize(static_cast<std::size_t>(sectors_));
+  sector_lookup_.resize(static_cast<std::size_t>(kSectorBins * sectors_) + 1);
+  look_up_sectors();
+  if (!even_) lookup_.reserve(static_cast<std::size_t>(kMostBins) + 2);
   make_lookup();
+}
+
+void PolarLayout::place(std::span<const double> radii, std::span<const double> bearings) {
+  std::copy(radii.begin(), radii.end(), radii_.begin());
+  for (int k = 0; k < sectors_; ++k) {
+    const auto here = static_cast<std::size_t>(k);
+    const SinCos t = sin_cos(bearings[here]);
+    bearings_[here] = wrap_angle(bearings[here]);
+    directions_[here] = {t.cos, t.sin};
+    gaps_[here] = (k + 1 < sectors_ ? bearings[here + 1] : 2 * kPi) - bearings[here];
+  }
+  look_up_sectors();
+  make_lookup();
+}
+
+/// Half way between two directions ends the one sector and begins the other.
+void PolarLayout::look_up_sectors() {
+  double at = 0;
+  for (std::size_t k = 0; k < borders_.size(); ++k) {
+    borders_[k] = (at + 0.5 * gaps_[k]) / (2 * kPi);
+    at += gaps_[k];
+  }
+  int sector = 0;
+  for (std::size_t bin = 0; bin < sector_lookup_.size(); ++bin) {
+    const double turn = static_cast<double>(bin) / (kSectorBins * sectors_) - 1e-12;
+    while (sector < sectors_ && turn > borders_[static_cast<std::size_t>(sector)]) ++sector;
+    sector_lookup_[bin] = sector;
+  }
 }
 
 /// Bins so narrow that hardly any has two rings in it and in the one before.
 void PolarLayout::make_lookup() {
-  edges_ = radii_;
-  edges_.push_back(std::numeric_limits<double>::infinity());
+  edges_.resize(radii_.size() + 1);
+  std::copy(radii_.begin(), radii_.end(), edges_.begin());
+  edges_.back() = std::numeric_limits<double>::infinity();
+  lookup_.clear();
   double closest = scope();
   for (int ring = 1; ring < rings_; ++ring) closest = std::min(closest, radius(ring) - radius(ring - 1));
   const int bins = static_cast<int>(std::min(2.5 * scope() / closest, kMostBins));

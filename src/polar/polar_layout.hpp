@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "base/fields.hpp"
@@ -18,12 +19,21 @@ struct EnumNames<PolarRadii> {
                                                                    {PolarRadii::log, "log"}};
 };
 
+/// fixed: as the options say for ever; self_organising: rings and sectors move to where the readings are.
+enum class PolarPlacing { fixed, self_organising };
+template <>
+struct EnumNames<PolarPlacing> {
+  static constexpr std::pair<PolarPlacing, const char*> entries[] = {
+      {PolarPlacing::fixed, "fixed"}, {PolarPlacing::self_organising, "self_organising"}};
+};
+
 struct PolarLayoutOptions {
   int rings = 100;
   int sectors = 48;
   double scope = 2.54;
   PolarRadii radii = PolarRadii::uniform;
   double innermost = 0.05;
+  PolarPlacing layout = PolarPlacing::fixed;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, PolarLayoutOptions>
@@ -33,6 +43,7 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"scope", "m", "radius of the outermost ring", 0.1, 100}, o.scope);
   visit(Field{"radii", "", "equally spaced, or growing by a constant factor"}, o.radii);
   visit(Field{"innermost", "m", "radius of ring 1 of logarithmic radii", 1e-3, 10}, o.innermost);
+  visit(Field{"layout", "", "fixed, or rings and sectors move to where the readings are"}, o.layout);
 }
 
 /// Angle of (x, y) to within kCoarse, several times faster than angle_of: enough to tell a sector.
@@ -54,7 +65,7 @@ inline int floor_of(double x) {
 }
 
 /// Where the units of a polar map lie [LM99, Figure 4]: ring 0 at the centre, the last ring at the scope; sector k at
-/// the bearing 2 pi k / sectors of the map's frame.
+/// the bearing 2 pi k / sectors of the map's frame, unless the layout organises itself.
 class PolarLayout {
  public:
   explicit PolarLayout(const PolarLayoutOptions& options);
@@ -64,8 +75,16 @@ class PolarLayout {
   double scope() const { return radii_.back(); }
   double radius(int ring) const { return radii_[static_cast<std::size_t>(ring)]; }
   const std::vector<double>& radii() const { return radii_; }
-  double spacing() const { return spacing_; }  ///< between sectors [rad]
-  double bearing(int sector) const { return wrap_angle(spacing_ * sector); }
+  double spacing() const { return spacing_; }  ///< between sectors, on average [rad]
+  double bearing(int sector) const { return bearings_[static_cast<std::size_t>(sector)]; }
+  /// Sectors are equally wide, for ever.
+  bool even() const { return even_; }
+  /// From this sector's direction to the next one's [rad].
+  double gap(int sector) const { return gaps_[static_cast<std::size_t>(sector)]; }
+  double width(int sector) const { return 0.5 * (gap(sector == 0 ? sectors_ - 1 : sector - 1) + gap(sector)); }
+  /// Moves the rings and sectors of an uneven layout: increasing radii from 0 to the scope, increasing bearings from 0
+  /// on, below 2 pi, as many as there are. Allocates nothing.
+  void place(std::span<const double> radii, std::span<const double> bearings);
   const Vec2& direction(int sector) const { return directions_[static_cast<std::size_t>(sector)]; }
   Vec2 position(int ring, int sector) const { return radius(ring) * direction(sector); }
 
@@ -87,7 +106,13 @@ class PolarLayout {
     const int ring = std::min(first_ring_from(r), rings_ - 1);
     return ring > 0 && r - radius(ring - 1) < radius(ring) - r ? ring - 1 : ring;
   }
-  int nearest_sector(double bearing) const { return wrapped(floor_of(bearing / spacing_ + 0.5)); }
+  int nearest_sector(double bearing) const {
+    if (even_) return wrapped(floor_of(bearing / spacing_ + 0.5));
+    const double turns = bearing / (2 * kPi), share = turns - floor_of(turns);
+    int sector = sector_lookup_[static_cast<std::size_t>(share * kSectorBins * sectors_)];
+    while (sector < sectors_ && share > borders_[static_cast<std::size_t>(sector)]) ++sector;
+    return sector == sectors_ ? 0 : sector;
+  }
   int wrapped(int sector) const {
     if (sector >= 0 && sector < sectors_) return sector;
     return (sector % sectors_ + sectors_) % sectors_;
@@ -102,13 +127,20 @@ class PolarLayout {
   }
 
   void make_lookup();
+  void look_up_sectors();
+  static constexpr int kSectorBins = 4;  ///< per sector
 
   int rings_;
   int sectors_;
   double spacing_;
   std::vector<double> radii_;
+  std::vector<double> bearings_;  ///< in (-pi, pi]
   std::vector<Vec2> directions_;
-  std::vector<double> edges_;  ///< the radii, and infinity
+  bool even_;
+  std::vector<double> gaps_;
+  std::vector<double> borders_;     ///< behind each sector, in turns
+  std::vector<int> sector_lookup_;  ///< a sector that is not beyond the one of the bin
+  std::vector<double> edges_;       ///< the radii, and infinity
   double bins_per_metre_ = 0;
   std::vector<int> lookup_;  ///< a ring that is not beyond the first ring of the bin
 };

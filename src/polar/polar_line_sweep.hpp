@@ -10,15 +10,23 @@ namespace meander::polar {
 struct Line {
   double* v;
   const double *left, *right, *factor;
+  double left_share, right_share;
 };
+/// What there is beside the weights that are alike on both sides.
+enum class Couplings { plain, diagonal, uneven };
+
 [[gnu::always_inline]] inline Line line_of(const LineSystem& s, int sector) {
   const auto at = [&](int k) { return s.v + static_cast<std::size_t>(k) * s.stride; };
-  return {at(sector), at(sector == 0 ? s.sectors - 1 : sector - 1), at(sector == s.sectors - 1 ? 0 : sector + 1),
-          s.factor[sector]};
+  return {at(sector),
+          at(sector == 0 ? s.sectors - 1 : sector - 1),
+          at(sector == s.sectors - 1 ? 0 : sector + 1),
+          s.factor[sector],
+          s.left_share[sector],
+          s.right_share[sector]};
 }
 
 /// What flows into a block of eight rings from both neighbouring sectors, without that along the diagonals.
-template <bool Diagonal, int Lanes>
+template <Couplings Kind, int Lanes>
 [[gnu::always_inline]] inline void inflow(Block<Lanes>& f, const LineSystem& s, const Line& line,
                                           const Block<Lanes>& factor, int i) {
   Block<Lanes> l, r, w;
@@ -26,8 +34,12 @@ template <bool Diagonal, int Lanes>
   load(r, line.right + i);
   load(w, s.lateral + i);
   multiply(w, factor);
+  if constexpr (Kind == Couplings::uneven) {
+    scale(l, line.left_share);
+    scale(r, line.right_share);
+  }
   add(l, r);
-  if constexpr (!Diagonal) {
+  if constexpr (Kind != Couplings::diagonal) {
     f = l;
     multiply(f, w);
     return;
@@ -104,7 +116,7 @@ template <int Lanes>
 
 /// Solves radial lines exactly, given their neighbours: g_i = f_i + h_i g_{i+1} inwards, then v_i = g_i + e_i v_{i-1}
 /// outwards. Two lines that are not neighbours at once: while one waits for its recurrence the other goes on.
-template <bool Diagonal, bool Source, int Lanes, int Count>
+template <Couplings Kind, bool Source, int Lanes, int Count>
 [[gnu::always_inline]] inline void solve_lines(const LineSystem& s, const Line (&lines)[Count]) {
   Recurrence<Lanes> state[Count];
   Block<Lanes> f, h, c;
@@ -113,7 +125,7 @@ template <bool Diagonal, bool Source, int Lanes, int Count>
 #pragma GCC unroll 2
     for (int k = 0; k < Count; ++k) {
       load(c, lines[k].factor + i);
-      inflow<Diagonal>(f, s, lines[k], c, i);
+      inflow<Kind>(f, s, lines[k], c, i);
       if constexpr (Source) {
         load(h, s.source + i);
         add(f, h);
@@ -138,29 +150,31 @@ template <bool Diagonal, bool Source, int Lanes, int Count>
   }
 }
 
-template <bool Diagonal, int Lanes>
+template <Couplings Kind, int Lanes>
 [[gnu::always_inline]] inline void solve_both_sides(const LineSystem& s, int k) {
   const int other = s.sectors - k;
-  if (other - k > 1) return solve_lines<Diagonal, false, Lanes>(s, {line_of(s, k), line_of(s, other)});
-  solve_lines<Diagonal, false, Lanes>(s, {line_of(s, k)});
-  if (other != k) solve_lines<Diagonal, false, Lanes>(s, {line_of(s, other)});
+  if (other - k > 1) return solve_lines<Kind, false, Lanes>(s, {line_of(s, k), line_of(s, other)});
+  solve_lines<Kind, false, Lanes>(s, {line_of(s, k)});
+  if (other != k) solve_lines<Kind, false, Lanes>(s, {line_of(s, other)});
 }
 
 /// Line after line from the target's sector outwards on both sides, then back.
-template <bool Diagonal, int Lanes>
+template <Couplings Kind, int Lanes>
 [[gnu::always_inline]] inline void sweep(const LineSystem& s) {
   const int half = s.sectors / 2;
-  solve_lines<Diagonal, true, Lanes>(s, {line_of(s, 0)});
-  for (int k = 1; k <= half; ++k) solve_both_sides<Diagonal, Lanes>(s, k);
-  for (int k = half; k > 0; --k) solve_both_sides<Diagonal, Lanes>(s, k);
+  solve_lines<Kind, true, Lanes>(s, {line_of(s, 0)});
+  for (int k = 1; k <= half; ++k) solve_both_sides<Kind, Lanes>(s, k);
+  for (int k = half; k > 0; --k) solve_both_sides<Kind, Lanes>(s, k);
 }
 
 template <int Lanes>
 [[gnu::always_inline]] inline void sweep_lines(const LineSystem& s) {
   if (s.diagonals)
-    sweep<true, Lanes>(s);
+    sweep<Couplings::diagonal, Lanes>(s);
+  else if (s.uneven)
+    sweep<Couplings::uneven, Lanes>(s);
   else
-    sweep<false, Lanes>(s);
+    sweep<Couplings::plain, Lanes>(s);
 }
 
 }  // namespace meander::polar

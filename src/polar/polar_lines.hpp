@@ -12,12 +12,14 @@ struct LineSystem {
   int sectors, padded;
   std::size_t stride;
   bool diagonals;  ///< there are diagonal weights
+  bool uneven;     ///< sectors differ in width; then there are no diagonal weights
   bool whole;      ///< all sixteen inner rings are solved, none is the rim or beyond it
   double* v;
   const double* const* factor;  ///< of each sector's line: c_i per ring
   const double* source;
-  // Weights per ring.
+  // Weights per ring. `total` is without the lateral ones where sectors are uneven.
   const double *inward, *outward, *lateral, *inward_diagonal, *outward_diagonal, *total;
+  const double *left_share, *right_share;  ///< of the lateral weight that each sector has to its sides, when uneven
   // Of the inner rings, 16 per sector.
   double *ring_open, *ring_q, *ring_p, *ring_z, *ring_y;
   const double *ring_keep, *ring_take;

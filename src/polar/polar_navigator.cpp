@@ -24,6 +24,14 @@ const PolarOptions& checked(const PolarOptions& options) {
   return options;
 }
 
+/// Weights of other kinds know of sectors that are alike only.
+std::optional<LayoutOrganiser> organiser_of(const PolarMapOptions& map, const PolarParts& parts) {
+  if (map.layout.layout == PolarPlacing::fixed) return std::nullopt;
+  if (map.weights != PolarWeights::finite_volume || parts.weights)
+    fail("option 'layout': self_organising needs weights = \"finite_volume\"");
+  return LayoutOrganiser(map.layout, map.organising);
+}
+
 std::size_t most_points(const Platform& platform, const PolarOptions& options) {
   return static_cast<std::size_t>(platform.sonar.count) * static_cast<std::size_t>(options.memory.scans);
 }
@@ -35,14 +43,18 @@ PolarNavigator::PolarNavigator(const Platform& platform, const PolarOptions& opt
       options_(in_mode(checked(options))),
       parts_(std::move(parts)),
       layout_(options_.map.layout),
+      organiser_(organiser_of(options_.map, parts_)),
       memory_(platform, options_.memory),
       predictor_(platform, options_.prediction),
       mapper_(platform.body.radius, layout_.scope(), options_.map.merge, most_points(platform, options_)),
-      projection_(layout_,
+      control_layout_(organiser_ ? organiser_->fixed() : layout_),
+      projection_(control_layout_,
                   {platform.body.radius + options_.map.margin, platform.body.radius + options_.control.hard_margin,
                    platform.body.radius + options_.control.soft_margin}),
       narrow_(layout_, {platform.body.radius + options_.map.narrow_margin}),
+      organised_(layout_, {platform.body.radius + options_.map.margin}),
       solver_(layout_, weights_of(layout_, options_.map, parts_)),
+      arranged_(solver_.weights()),
       readout_(options_.subgoal, options_.map.kappa),
       control_(platform.body, options_.control, parts_.objective),
       trap_(platform, options_.trap),
@@ -54,6 +66,7 @@ void PolarNavigator::reset() {
   trap_.reset();
   direction_.reset();
   subgoal_.reset();
+  if (organiser_) organiser_->reset();
 }
 
 /// One control cycle, as [LM99, System Architecture] lists it.
@@ -72,10 +85,11 @@ NavigatorStep PolarNavigator::step(const Observation& observation, const Subgoal
     step.reason = std::move(trap.reason);
     place_map(trap_.temporary().value_or(subgoal.position));
     map_points(observation);  // 4 project
-    project();                // 5 map
-    diffuse();                // 6
-    choose_subgoal();         // 7
-    step.command = drive();   // 8
+    organise();
+    project();               // 5 map
+    diffuse();               // 6
+    choose_subgoal();        // 7
+    step.command = drive();  // 8
   }
   predictor_.commanded(step.command);
   return step;
@@ -107,6 +121,17 @@ void PolarNavigator::map_points(const Observation& observation) {
   mapper_.map(obstacles_, odometry_from_map_, at);
 }
 
+/// [LM99+] Units move to where the readings are, and take their weights with them. The motion control keeps the fixed
+/// layout: where units lie wide apart its margins would be too rough.
+void PolarNavigator::organise() {
+  if (!organiser_) return;
+  organiser_->learn(mapper_.points());
+  if (!organiser_->organise(layout_)) return;
+  finite_volumes(layout_, options_.map.kappa, arranged_);
+  solver_.arrange(layout_, arranged_);
+  target_ring_ = meander::target_ring(layout_, target_distance_);
+}
+
 void PolarNavigator::project() {
   projection_.clear();
   // The controller looks no farther than its trajectories lead; two rings more for rounding to units.
@@ -115,6 +140,10 @@ void PolarNavigator::project() {
   projection_.set_reach(soft, reach);
   for (const MappedPoint& point : mapper_.points()) projection_.add(point.position);
   planned_ = &projection_.layer(plan);
+  if (!organiser_) return;
+  organised_.clear();
+  for (const MappedPoint& point : mapper_.points()) organised_.add(point.position);
+  planned_ = &organised_.layer(plan);
 }
 
 /// [LM99+] Where nothing reaches the robot: closer to the obstacles, and then by what was seen last alone.
@@ -149,7 +178,7 @@ void PolarNavigator::choose_subgoal() {
 Command PolarNavigator::drive() {
   if (!subgoal_) return turn_in_place();
   return control_.choose({predicted_, angle_between(odometry_from_map_.heading, predicted_.pose.heading),
-                          subgoal_->position, mapper_.clearance(), layout_, projection_.layer(hard),
+                          subgoal_->position, mapper_.clearance(), control_layout_, projection_.layer(hard),
                           projection_.layer(soft)});
 }
 

@@ -42,6 +42,7 @@ class PolarNavigator {
   NavigatorStep arrive(const Observation& observation, const Subgoal& subgoal) const;
   void place_map(const Vec2& target);
   void map_points(const Observation& observation);
+  void organise();
   void project();
   void diffuse();
   bool reached() const;
@@ -54,13 +55,17 @@ class PolarNavigator {
   PolarOptions options_;
   PolarParts parts_;
   PolarLayout layout_;
+  std::optional<LayoutOrganiser> organiser_;  ///< of a layout that is not fixed
   SonarMemory memory_;
   Predictor predictor_;
   PointMapper mapper_;
   std::vector<Vec2> obstacles_;  ///< of one's own, as of this cycle
+  PolarLayout control_layout_;   ///< never moves
   Projection projection_;        ///< layers: plan, hard, soft
   Projection narrow_;            ///< plan with the narrow margin
+  Projection organised_;         ///< plan in a layout that is not fixed
   PolarSolver solver_;
+  std::vector<RingWeights> arranged_;  ///< as the organiser places the rings
   SubgoalReadout readout_;
   MotionControl control_;
   TrapEscapes trap_;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "polar/layout_organiser.hpp"
 #include "polar/motion_control.hpp"
 #include "polar/polar_layout.hpp"
 #include "polar/polar_solver.hpp"
@@ -29,6 +30,7 @@ struct PolarMapOptions {
   double margin = 0.05;
   double narrow_margin = 0.02;
   double merge = 0.03;
+  LayoutOrganiserOptions organising;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, PolarMapOptions>
@@ -42,6 +44,7 @@ void fields(Options& o, Visitor&& visit) {
         o.narrow_margin);
   visit(Field{"merge", "m", "remembered points in the same square of this size count once; 0: all count", 0, 1},
         o.merge);
+  visit(Field{"organising", "", "how a self-organising layout learns"}, o.organising);
 }
 
 struct PolarOptions {

@@ -35,6 +35,10 @@ template <int Lanes>
 [[gnu::always_inline]] inline void multiply(Inner<Lanes>& x, const Inner<Lanes>& y) {
   multiply(x.low, y.low), multiply(x.high, y.high);
 }
+template <int Lanes>
+[[gnu::always_inline]] inline void scale(Inner<Lanes>& x, double a) {
+  scale(x.low, a), scale(x.high, a);
+}
 /// open / (total - lateral * before)
 template <int Lanes>
 [[gnu::always_inline]] inline void pivot(Inner<Lanes>& q, const Inner<Lanes>& open, const Inner<Lanes>& total,
@@ -69,23 +73,31 @@ template <int Lanes>
   add_product(f, w, x);
 }
 
-template <int Lanes>
-[[gnu::always_inline]] inline void factor_rings(const LineSystem& s) {
-  Inner<Lanes> lateral, total, open, p, q, z;
+template <bool Uneven, int Lanes>
+[[gnu::always_inline]] inline void factor_rings_of(const LineSystem& s) {
+  Inner<Lanes> lateral, total, left, all, open, p, q, z;
   load(lateral, s.lateral + 1);
   load(total, s.total + 1);
+  left = lateral, all = total;
+  const auto at = [&](int k) __attribute__((always_inline)) {
+    if constexpr (!Uneven) return;
+    left = lateral, scale(left, s.left_share[k]);
+    all = lateral, scale(all, s.left_share[k] + s.right_share[k]), add(all, total);
+  };
   zero(p);
   for (int k = 0; k < 16; ++k) s.ring_z[k] = 1;
   load(z, s.ring_z);
   const int m = s.sectors;
   for (int k = 1; k < m; ++k) {
     load(open, s.ring_open + 16 * k);
-    pivot(q, open, total, lateral, p);
+    at(k);
+    pivot(q, open, all, left, p);
     store(s.ring_q + 16 * k, q);
     p = q;
-    multiply(p, lateral);
-    store(s.ring_p + 16 * k, p);
+    multiply(p, left);
     multiply(z, p);
+    if constexpr (Uneven) p = q, multiply(p, lateral), scale(p, s.right_share[k]);
+    store(s.ring_p + 16 * k, p);
     store(s.ring_z + 16 * k, z);
   }
   load(q, s.ring_z);  // sector m is sector 0
@@ -98,10 +110,19 @@ template <int Lanes>
   }
   load(p, s.ring_z + 16);
   load(q, s.ring_z + 16 * (m - 1));
+  if constexpr (Uneven) scale(p, s.right_share[0]), scale(q, s.left_share[0]);
   add(p, q);
   load(open, s.ring_open);
-  pivot(q, open, total, lateral, p);
+  at(0);
+  pivot(q, open, all, lateral, p);
   store(s.ring_q, q);
+}
+template <int Lanes>
+[[gnu::always_inline]] inline void factor_rings(const LineSystem& s) {
+  if (s.uneven)
+    factor_rings_of<true, Lanes>(s);
+  else
+    factor_rings_of<false, Lanes>(s);
 }
 
 /// Rings that are not solved keep what they have.
@@ -118,14 +139,15 @@ template <int Lanes>
   store(v, value);
 }
 
-template <int Lanes>
-[[gnu::always_inline]] inline void solve_rings(const LineSystem& s) {
+template <bool Uneven, int Lanes>
+[[gnu::always_inline]] inline void solve_rings_of(const LineSystem& s) {
   const int m = s.sectors;
   Inner<Lanes> lateral, f, y, q, p;
   load(lateral, s.lateral + 1);
   zero(y);
   for (int k = 1; k < m; ++k) {
     radial_inflow(f, s, k);
+    if constexpr (Uneven) scale(y, s.left_share[k]);
     add_product(f, lateral, y);
     load(q, s.ring_q + 16 * k);
     y = f;
@@ -143,6 +165,7 @@ template <int Lanes>
   Inner<Lanes> first, value, source;
   radial_inflow(first, s, 0);
   load(p, s.ring_y + 16 * (m - 1));
+  if constexpr (Uneven) scale(q, s.right_share[0]), scale(p, s.left_share[0]);
   add(q, p);
   add_product(first, lateral, q);
   load(q, s.ring_q);
@@ -157,6 +180,13 @@ template <int Lanes>
     add_product(value, p, first);
     store_solved(s, s.v + static_cast<std::size_t>(k) * s.stride + 1, value);
   }
+}
+template <int Lanes>
+[[gnu::always_inline]] inline void solve_rings(const LineSystem& s) {
+  if (s.uneven)
+    solve_rings_of<true, Lanes>(s);
+  else
+    solve_rings_of<false, Lanes>(s);
 }
 
 }  // namespace meander::polar

@@ -35,38 +35,65 @@ PolarSolver::PolarSolver(const PolarLayout& layout, std::vector<RingWeights> wei
   // Loads of the inner rings may reach past a short line into the next, and past the last one.
   values_.resize((m + 1) * stride_ + 2 * kInner);
   source_.resize(stride_ + 2 * kInner);
-  factors_.resize((m + 1) * static_cast<std::size_t>(padded_));
+  factors_.resize(m * static_cast<std::size_t>(padded_));
   factor_.resize(m);
+  shares_.resize(2 * m);
+  uneven_ = !layout.even();
+  made_.resize((uneven_ ? m : 1) * (static_cast<std::size_t>(rings_) + 1));
+  table_.resize(made_.size() * static_cast<std::size_t>(padded_));
   per_ring_.resize(kRingArrays * (stride_ + 2 * kInner));
   inner_.resize(5 * kInner * (m + 1) + 2 * kInner);
-  double* at = per_ring_.data() + kPad;
-  for (const auto member : {&RingWeights::inward, &RingWeights::outward, &RingWeights::lateral,
-                            &RingWeights::inward_diagonal, &RingWeights::outward_diagonal, &RingWeights::total}) {
-    if (member == &RingWeights::total) std::fill(at - kPad, at - kPad + stride_ + 2 * kInner, 1.0);
-    for (std::size_t i = 0; i < weights_.size(); ++i) at[i] = weights_[i].*member;
-    at += stride_ + 2 * kInner;
-  }
   for (int lane = 0; lane < kInner; ++lane) {
     const bool solved = lane + 1 < rings_ - 1;
     inner_[static_cast<std::size_t>(lane)] = solved ? 0 : 1;
     inner_[static_cast<std::size_t>(kInner + lane)] = solved ? 1 : 0;
   }
-  make_table();
-  copy_factors({}, -1, factors_.data() + m * static_cast<std::size_t>(padded_));
+  arrange(layout, weights_);
 }
 
-/// c_i = 1 / (total_i - outward_i e_{i+1}), e_i = inward_i c_i, from the next obstructed ring inwards.
-void PolarSolver::make_table() {
-  const auto n = static_cast<std::size_t>(rings_);
-  table_.resize((n + 1) * n);
-  for (std::size_t next = 1; next <= n; ++next) {
-    double e = 0;
-    for (std::size_t i = next; i-- > 0;) {
-      const double c = 1 / (weights_[i].total - weights_[i].outward * e);
-      e = weights_[i].inward * c;
-      table_[next * n + i] = c;
-    }
+void PolarSolver::arrange(const PolarLayout& layout, const std::vector<RingWeights>& weights) {
+  weights_ = weights;
+  double* at = per_ring_.data() + kPad;
+  for (const auto member : {&RingWeights::inward, &RingWeights::outward, &RingWeights::lateral,
+                            &RingWeights::inward_diagonal, &RingWeights::outward_diagonal, &RingWeights::total}) {
+    const bool total = member == &RingWeights::total;
+    if (total) std::fill(at - kPad, at - kPad + stride_ + 2 * kInner, 1.0);
+    for (std::size_t i = 0; i < weights_.size(); ++i)
+      at[i] = weights_[i].*member - (total && uneven_ ? 2 * weights_[i].lateral : 0);
+    at += stride_ + 2 * kInner;
   }
+  // Flow over a border goes by the distance of the sectors, per width of the sector: 1 where all are alike.
+  const double square = layout.spacing() * layout.spacing();
+  for (int k = 0; k < sectors_; ++k) {
+    const auto left = static_cast<std::size_t>(k), right = static_cast<std::size_t>(k + sectors_);
+    shares_[left] = uneven_ ? square / (layout.width(k) * layout.gap(k == 0 ? sectors_ - 1 : k - 1)) : 1;
+    shares_[right] = uneven_ ? square / (layout.width(k) * layout.gap(k)) : 1;
+  }
+  std::fill(made_.begin(), made_.end(), char{0});
+}
+
+double PolarSolver::total(int ring, int sector) const {
+  const RingWeights& w = weights_[static_cast<std::size_t>(ring)];
+  if (!uneven_) return w.total;
+  const auto k = static_cast<std::size_t>(sector);
+  return w.total - 2 * w.lateral + w.lateral * (shares_[k] + shares_[k + static_cast<std::size_t>(sectors_)]);
+}
+
+/// c_i = 1 / (total_i - outward_i e_{i+1}), e_i = inward_i c_i, from the next obstructed ring inwards: made when first
+/// wanted.
+const double* PolarSolver::factors(int sector, int next) {
+  const std::size_t at = static_cast<std::size_t>(uneven_ ? sector : 0) * (static_cast<std::size_t>(rings_) + 1) +
+                         static_cast<std::size_t>(next);
+  double* row = table_.data() + at * static_cast<std::size_t>(padded_);
+  if (made_[at]) return row;
+  double e = 0;
+  for (int i = next; i-- > 0;) {
+    const RingWeights& w = weights_[static_cast<std::size_t>(i)];
+    row[i] = 1 / (total(i, sector) - w.outward * e);
+    e = w.inward * row[i];
+  }
+  made_[at] = 1;
+  return row;
 }
 
 polar::LineSystem PolarSolver::system() {
@@ -77,6 +104,7 @@ polar::LineSystem PolarSolver::system() {
           .padded = padded_,
           .stride = stride_,
           .diagonals = has_diagonals(weights_),
+          .uneven = uneven_,
           .whole = kInner < rings_ - 1,
           .v = values_.data() + kPad,
           .factor = factor_.data(),
@@ -87,6 +115,8 @@ polar::LineSystem PolarSolver::system() {
           .inward_diagonal = ring(3),
           .outward_diagonal = ring(4),
           .total = ring(5),
+          .left_share = shares_.data(),
+          .right_share = shares_.data() + m,
           .ring_open = inner(0),
           .ring_q = inner(1),
           .ring_p = inner(2),
@@ -97,9 +127,12 @@ polar::LineSystem PolarSolver::system() {
 }
 
 /// The line's factors from the table: a run between two obstructed units depends on its outer end alone.
-void PolarSolver::copy_factors(std::span<const std::uint64_t> bits, int target, double* factor) {
+void PolarSolver::copy_factors(std::span<const std::uint64_t> bits, int target, int sector) {
+  const auto k = static_cast<std::size_t>(sector);
+  double* factor = factors_.data() + k * static_cast<std::size_t>(padded_);
+  factor_[k] = factor;
   const auto copy = [&](int from, int next) {
-    const double* row = table_.data() + static_cast<std::size_t>(next) * static_cast<std::size_t>(rings_);
+    const double* row = factors(sector, next);
     std::copy(row + from, row + next, factor + from);
   };
   int next = rings_;
@@ -134,11 +167,10 @@ void PolarSolver::prepare(const ObstructedUnits& obstructed, int target) {
     open_rings(obstructed, k);
     const auto bits = obstructed.sector_bits(k);
     const bool open = k > 0 && std::all_of(bits.begin(), bits.end(), [](std::uint64_t word) { return word == 0; });
-    // Open lines share one line's factors.
-    double* factor =
-        factors_.data() + static_cast<std::size_t>(open ? sectors_ : k) * static_cast<std::size_t>(padded_);
-    factor_[static_cast<std::size_t>(k)] = factor;
-    if (!open) copy_factors(bits, k == 0 ? target_ : -1, factor);
+    if (open)
+      factor_[static_cast<std::size_t>(k)] = factors(k, rings_);
+    else
+      copy_factors(bits, k == 0 ? target_ : -1, k);
   }
   kernels_->factor_rings(system());
 }
@@ -159,7 +191,8 @@ double PolarSolver::inflow(int ring, int sector) const {
   const double* here = values_.data() + index(sector) + ring;
   const double* left = values_.data() + index(sector == 0 ? sectors_ - 1 : sector - 1) + ring;
   const double* right = values_.data() + index(sector == sectors_ - 1 ? 0 : sector + 1) + ring;
-  return w.inward * here[-1] + w.outward * here[1] + w.lateral * (left[0] + right[0]) +
+  const double *left_share = shares_.data() + sector, *right_share = left_share + sectors_;
+  return w.inward * here[-1] + w.outward * here[1] + w.lateral * (*left_share * left[0] + *right_share * right[0]) +
          w.inward_diagonal * (left[-1] + right[-1]) + w.outward_diagonal * (left[1] + right[1]);
 }
 
@@ -169,7 +202,7 @@ double PolarSolver::residual(const ObstructedUnits& obstructed) const {
     for (int ring = 0; ring < rings_; ++ring) {
       if (obstructed.test(ring, sector) || (sector == 0 && ring == target_)) continue;
       const double in = inflow(ring, sector);
-      const double own = activation(ring, sector) * weights_[static_cast<std::size_t>(ring)].total;
+      const double own = activation(ring, sector) * total(ring, sector);
       if (in > 0 || own > 0) worst = std::max(worst, std::abs(in - own) / std::max(in, own));
     }
   return worst;

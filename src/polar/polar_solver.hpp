@@ -35,6 +35,9 @@ class PolarSolver {
   /// With these inner loops; none: the widest of polar::line_kernels().
   PolarSolver(const PolarLayout& layout, std::vector<RingWeights> weights, const polar::LineKernels* kernels = nullptr);
 
+  /// Other weights for the same numbers of rings and sectors, whose places may have moved.
+  void arrange(const PolarLayout& layout, const std::vector<RingWeights>& weights);
+
   /// The target unit, at ring `target` of sector 0, has activation 1 and is never obstructed.
   void solve(const ObstructedUnits& obstructed, int target, const PolarSolverOptions& options = {});
 
@@ -47,9 +50,11 @@ class PolarSolver {
 
  private:
   std::size_t index(int sector) const { return static_cast<std::size_t>(sector) * stride_ + kPad; }
-  void make_table();
+  /// Of a unit's equation; sectors of other widths have other lateral weights.
+  double total(int ring, int sector) const;
+  const double* factors(int sector, int next);
   void prepare(const ObstructedUnits& obstructed, int target);
-  void copy_factors(std::span<const std::uint64_t> bits, int target, double* factor);
+  void copy_factors(std::span<const std::uint64_t> bits, int target, int sector);
   void open_rings(const ObstructedUnits& obstructed, int sector);
   double inflow(int ring, int sector) const;
   polar::LineSystem system();
@@ -61,11 +66,14 @@ class PolarSolver {
   int padded_;  ///< rings, in whole blocks of eight
   std::size_t stride_;
   std::vector<RingWeights> weights_;
-  std::vector<double> table_;   ///< line factors by next obstructed ring outwards and ring
+  bool uneven_ = false;         ///< sectors differ in width
+  std::vector<double> shares_;  ///< of the lateral weights, to the left of each sector and to the right
+  std::vector<double> table_;   ///< line factors by next obstructed ring outwards and ring; one for all, or per sector
+  std::vector<char> made_;      ///< rows of it that hold for the present weights
   std::vector<double> values_;  ///< activation, line by line
   std::vector<double> source_;
   std::vector<double> per_ring_;       ///< weights as arrays
-  std::vector<double> factors_;        ///< of all units, and of a line without obstacles
+  std::vector<double> factors_;        ///< of all units
   std::vector<const double*> factor_;  ///< each sector's
   std::vector<double> inner_;          ///< of the inner rings
   int target_ = 0;

@@ -92,16 +92,23 @@ double largest_eigenvalue(const std::vector<RingWeights>& weights) {
 
 std::vector<RingWeights> ring_weights(const PolarLayout& layout, PolarWeights kind, double kappa) {
   std::vector<RingWeights> weights(static_cast<std::size_t>(layout.rings()));
+  if (kind == PolarWeights::finite_volume) {
+    finite_volumes(layout, kappa, weights);
+    return weights;
+  }
   for (int i = 1; i < layout.rings(); ++i)
-    weights[static_cast<std::size_t>(i)] = kind == PolarWeights::finite_volume ? volume(layout, i, kappa)
-                                           : kind == PolarWeights::euclidean   ? inverse_distance(layout, i)
-                                                                               : square(layout, i);
+    weights[static_cast<std::size_t>(i)] =
+        kind == PolarWeights::euclidean ? inverse_distance(layout, i) : square(layout, i);
   close(weights);
-  if (kind == PolarWeights::finite_volume) return weights;
   // [LM99] beta < 1 / lambda: the slope of the activation function, in whose linear part all but the target lives.
   const double total = largest_eigenvalue(weights) / kStability;
   for (std::size_t i = 1; i < weights.size(); ++i) weights[i].total = total;
   return weights;
+}
+
+void finite_volumes(const PolarLayout& layout, double kappa, std::vector<RingWeights>& weights) {
+  for (int i = 1; i < layout.rings(); ++i) weights[static_cast<std::size_t>(i)] = volume(layout, i, kappa);
+  close(weights);
 }
 
 std::vector<RingWeights> ring_weights(const PolarLayout& layout, const OwnWeights& own) {

@@ -35,6 +35,8 @@ using OwnWeights = std::function<RingWeights(const PolarLayout&, int ring)>;
 /// negative or not finite, or when a stable equilibrium is not sure to exist.
 std::vector<RingWeights> ring_weights(const PolarLayout& layout, PolarWeights kind, double kappa);
 std::vector<RingWeights> ring_weights(const PolarLayout& layout, const OwnWeights& own);
+/// Finite volumes into an array of as many rings, for sectors of average width. Allocates nothing.
+void finite_volumes(const PolarLayout& layout, double kappa, std::vector<RingWeights>& weights);
 
 /// The largest eigenvalue of the connections: activation stays bounded while every total exceeds it [LM99]. The
 /// eigenvector is the same in all sectors, because the weights are and none is negative; the centre follows ring 1.

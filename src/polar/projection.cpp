@@ -45,8 +45,15 @@ void Projection::add(const Vec2& point) {
   // Sectors whose direction passes within the largest circle, and a little more.
   const double half = 2 * kCoarse + coarse_angle(largest, std::sqrt(distance * distance - largest * largest));
   const double middle = coarse_angle(point.y(), point.x());
-  const int first = floor_of((middle - half) / layout_->spacing());
-  const int last = floor_of((middle + half) / layout_->spacing()) + 1;
+  int first, last;
+  if (layout_->even()) {
+    first = floor_of((middle - half) / layout_->spacing());
+    last = floor_of((middle + half) / layout_->spacing()) + 1;
+  } else {
+    first = layout_->nearest_sector(middle - half) - 1;
+    last = layout_->nearest_sector(middle + half) + 1;
+    if (last <= first) last += layout_->sectors();
+  }
   const int count = std::min(last - first + 1, layout_->sectors());
   for (std::size_t k = 0; k < layers_.size(); ++k)
     if (squares_[k] >= 0) add_to_layer(k, point, squares_[k], layout_->wrapped(first), count);

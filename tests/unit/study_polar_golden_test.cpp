@@ -30,6 +30,7 @@ const Golden kGolden[] = {
     {"office", {"door_a", "hall", "door_b"}, "standard", {"bb9255d85cd19d6e", "e6bfcba37fd52333"}},
     {"large_u", {"goal"}, "standard", {"3d3f2946665c32e0", "45feeeaab35246da"}},
     {"people", {"north_east"}, "real sonar", {"130b766b4bf2def2", "b98724e107759ad1"}},
+    {"clutter", {"goal"}, "self-organising", {"af70accb941528f2", "30de2ce099989dfc"}},
     {"l_corner", {"goal"}, "paper", {"4dd95b29e0087603", "ffa7dc3ea091ed1b"}},
     {"l_corner", {"goal"}, "euclidean", {"d875b10488d668c6", "dc823165c70303bd"}},
 };
@@ -38,6 +39,9 @@ PolarOptions options_of(const std::string& variant) {
   PolarOptions options;
   if (variant == "32 sectors") options.map.layout.sectors = 32;
   if (variant == "log") options.map.layout = {.rings = 32, .sectors = 32, .radii = PolarRadii::log};
+  if (variant == "self-organising") {
+    options.map.layout = {.rings = 40, .sectors = 24, .layout = PolarPlacing::self_organising};
+  }
   if (variant == "paper") options.mode = PolarMode::paper;
   if (variant == "euclidean") {
     options.map.layout = {.rings = 30, .sectors = 24};
