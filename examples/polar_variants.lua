@@ -55,6 +55,10 @@ local list = {
     "euclidean", "four_targets,l_corner,clutter_10", "the paper's weights 1 / distance",
     { options = { map = { weights = "euclidean" } } },
   },
+  {
+    "literal", "four_targets,l_corner,clutter_10", "the same, the direction read off at the innermost ring",
+    { options = { map = { weights = "euclidean" }, subgoal = { read_radius = 0 } } },
+  },
 }
 
 local names = {}
