@@ -30,7 +30,7 @@ requires std::same_as<std::remove_const_t<Options>, ExplorerTable>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"goal", "m", "where to, in the odometry frame"}, o.goal);
   fields(o.options, visit);
-  visit(Field{"on_indicator", "", "function(indicator), called when one was placed: {serial, x, y, fresh, ports}"},
+  visit(Field{"on_indicator", "", "function(indicator), called when one was placed: {serial, x, y, run}"},
         o.on_indicator);
   visit(Field{"on_decision", "", "function(decision), called after each step"}, o.on_decision);
 }
@@ -224,7 +224,7 @@ void bind_explorer(lua_State* L) {
       .method<&step>(Doc{.name = "step",
                          .text = "One decision, at a crossing, a dead end, an indicator, or where the way is closed.",
                          .args = {{"percept", "what the robot perceives there"}},
-                         .returns = "table: ending, reason, at, direction, to, back, target, target_port, run, walked, "
+                         .returns = "ending, reason, at, direction, to, back, target, target_port, run, walked, "
                                     "decisions",
                          .errors = "the run is over",
                          .example = STEPPED "print(d.direction, d.reason)"})

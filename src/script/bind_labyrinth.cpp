@@ -160,7 +160,7 @@ void bind_cells(lua_State* L) {
               .text = "A run of an explorer by a robot that recognises every crossing, follows corridors by itself and "
                       "knows where it is.",
               .args = {{"explorer", "who decides"}, {"start", "a point in the cell; the first one when left out", "m"}},
-              .returns = "table: ending, reason, length, decisions, coverage, last",
+              .returns = "ending, reason, length, decisions, coverage, last",
               .errors = "a start outside",
               .example = LABYRINTH "print(l:explore(meander.indicator.explorer { goal = l.goal }).reason)"})
       .method<&shortest>(Doc{.name = "shortest",

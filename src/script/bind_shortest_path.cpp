@@ -167,7 +167,7 @@ void bind_shortest_path(lua_State* L) {
           .name = "shortest_path",
           .text = "The shortest route over linked indicators by the neural network, with all that fired in it.",
           .args = {{"options", "the links, from where to where, by what"}},
-          .returns = "table: route, length, truncated, paper_rows, rows, candidates",
+          .returns = "route, length, truncated, paper_rows, rows, candidates",
           .errors = "a length that is not above 0; an end that is no whole number from 1 on",
           .example = "r = meander.indicator.shortest_path { links = { {1, 2, 3}, {2, 3, 1}, {1, 3, 5} }, start = 1, "
                      "goal = 3 } print(r.length, #r.route)"});
