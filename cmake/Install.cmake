@@ -2,11 +2,11 @@
 # SPDX-FileCopyrightText: the meander authors
 # What `cmake --install` adds to the program and its module. Nothing installed knows the prefix: it may be moved.
 
-# The worlds and examples are found from the program as share/meander; for the programs of a build tree that is the
+# The worlds, models and examples are found from the program as share/meander; for the programs of a build tree that is the
 # checkout.
 file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/share")
 file(CREATE_LINK "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/share/meander" SYMBOLIC)
-install(DIRECTORY examples worlds DESTINATION share/meander)
+install(DIRECTORY examples worlds models DESTINATION share/meander)
 
 file(GLOB pages CONFIGURE_DEPENDS docs/*.md)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

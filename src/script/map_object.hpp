@@ -3,7 +3,7 @@
 #pragma once
 #include "mapping/classic_models.hpp"
 #include "mapping/sonar_map.hpp"
-#include "script/kit_object.hpp"
+#include "script/model_object.hpp"
 
 namespace meander::script {
 
@@ -15,22 +15,27 @@ inline std::size_t native_size(const SonarMap& map) { return sizeof(SonarMap) + 
 
 /// Which sensor model a map has.
 struct MapChoice {
-  std::string name = "nn4";
+  std::optional<ModelOption> what;
   std::string preset = "ideal";
   bool table = false;
   ConeModelOptions elfes;
   RangeLayerOptions ros;
 
   SonarModel model(const Platform& platform) const {
-    if (name == "elfes") return cone_model(platform.sonar, elfes);
-    if (name == "ros") return range_layer_model(platform.sonar, ros);
-    return sonar_model(name, {.ring = platform.sonar, .preset = preset, .table = table});
+    const SonarModelOptions options{.ring = platform.sonar, .preset = preset, .table = table};
+    if (!what) return sonar_model("nn4", options);
+    if (what->name == "elfes") return cone_model(platform.sonar, elfes);
+    if (what->name == "ros") return range_layer_model(platform.sonar, ros);
+    return what->make(options);
   }
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, MapChoice>
 void fields(Options& o, Visitor&& visit) {
-  visit(Field{"model", "", "what scans tell about cells; meander.mapping.models() names them"}, o.name);
+  visit(Field{"model", "",
+              "what scans tell about cells: a name that meander.mapping.models() tells, 'nn4' when left out; a "
+              "model, a network, or a function as meander.mapping.model takes it"},
+        o.what);
   visit(Field{"preset", "", "networks: sonar that their weights were trained for"}, o.preset);
   visit(Field{"table", "", "networks: compiled to a lookup table, faster and a little worse"}, o.table);
   visit(Field{"elfes", "", "options of the model of this name"}, o.elfes);

@@ -31,6 +31,7 @@ inline std::size_t native_size(const SonarLessons& lessons) {
 /// A sensor model: a name, a model, a network, or a Lua function.
 struct ModelOption {
   std::function<SonarModel(const SonarModelOptions&)> make;
+  std::string name{};  ///< if it was given by name
 };
 template <>
 struct Lua<ModelOption> {
