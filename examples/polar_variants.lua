@@ -52,6 +52,10 @@ local list = {
   },
   { "sectors_32", usual .. ",clutter_10_tight", "32 sectors instead of 48", { options = { map = { sectors = 32 } } } },
   {
+    "log_32", usual, "32 x 32 units with logarithmic radii",
+    { options = { map = { rings = 32, sectors = 32, radii = "log" } } },
+  },
+  {
     "euclidean", "four_targets,l_corner,clutter_10", "the paper's weights 1 / distance",
     { options = { map = { weights = "euclidean" } } },
   },
