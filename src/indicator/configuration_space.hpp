@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "grid/grid.hpp"
+
+namespace meander {
+
+/// What a map knows of a cell.
+enum class Known : std::uint8_t { nothing, free, wall };
+
+/// Where the centre of a round robot can be, by a map that is being made: kept up to date cell by cell, at a cost only
+/// where a wall comes or goes. Beyond the rim of the map nothing is passable.
+class ConfigurationSpace {
+ public:
+  /// `reach` is the robot's radius and what it keeps from walls [m]. Nothing is known at first.
+  ConfigurationSpace(int width, int height, const GridFrame& frame, double reach);
+
+  void set(Cell cell, Known known);
+
+  Known known(Cell cell) const { return known_.at(cell, Known::wall); }
+  /// A wall is within reach of the cell's centre.
+  bool blocked(Cell cell) const { return walls_near_.at(cell, 1) > 0; }
+  /// The robot's centre can be here, for all that is known.
+  bool free(Cell cell) const { return known(cell) == Known::free && !blocked(cell); }
+  /// Nothing speaks against the robot's being here.
+  bool open(Cell cell) const { return !blocked(cell); }
+  /// Free, and beside it is an open cell of which nothing is known: an opening narrower than the robot has none.
+  bool frontier(Cell cell) const;
+
+  int width() const { return known_.width(); }
+  int height() const { return known_.height(); }
+  const GridFrame& frame() const { return known_.frame; }
+  double resolution() const { return known_.frame.resolution; }
+
+ private:
+  Grid<Known> known_;
+  Grid<std::int32_t> walls_near_;  ///< walls within reach of each cell
+  std::vector<Cell> disc_;         ///< offsets within reach
+};
+
+}  // namespace meander

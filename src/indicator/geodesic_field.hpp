@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <limits>
+#include <vector>
+
+#include "indicator/configuration_space.hpp"
+
+namespace meander {
+
+/// Lengths of the ways from a cell through free cells, up to a limit. Steps along the rows count 5 fifths of a cell,
+/// diagonal ones 7; a diagonal step needs both cells beside it. Keeps its arrays from one use to the next.
+class GeodesicField {
+ public:
+  /// `limit` in metres. Through cells of which nothing is known as well where `unknown` is true.
+  void spread(const ConfigurationSpace& space, Cell start, double limit, bool unknown = false);
+
+  /// [m]; infinite where no way within the limit leads.
+  double at(Cell cell) const {
+    const int steps = steps_at(cell);
+    return steps < 0 ? std::numeric_limits<double>::infinity() : steps * unit_;
+  }
+  /// The cells that are reached, in the order of their distance.
+  const std::vector<Cell>& reached() const { return reached_; }
+
+ private:
+  int steps_at(Cell cell) const {
+    const int x = cell.x - low_.x, y = cell.y - low_.y;
+    return x < 0 || y < 0 || x >= side_ || y >= side_ ? -1 : steps_[static_cast<std::size_t>(y * side_ + x)];
+  }
+  int& steps(Cell cell) { return steps_[static_cast<std::size_t>((cell.y - low_.y) * side_ + cell.x - low_.x)]; }
+
+  Cell low_;
+  int side_ = 0;
+  double unit_ = 1;
+  std::vector<int> steps_;
+  std::vector<std::vector<Cell>> buckets_;
+  std::vector<Cell> reached_;
+};
+
+}  // namespace meander
