@@ -8,9 +8,10 @@ local report = require "meander.report"
 local alice = { worlds = { "alice_loop", "alice_rooms", "alice_grid" } }
 
 --- Explores a world. `options`: world (a name), seed, samples, correction (false: dead reckoning alone), drift ('alice'),
---- map (options of the map), each(sample, robot) called after every cycle. Returns the robot: {world, sim, map, scores}.
+--- map (options of the map), begin(world) called first, each(sample, robot) called after every cycle. Returns the robot: {world, sim, map, scores}.
 function alice.explore(options)
   local world = meander.world.open("worlds/" .. options.world .. ".toml")
+  if options.begin then options.begin(world) end
   local settings = {}
   for key, value in pairs(options.map or {}) do settings[key] = value end
   if options.correction == false then settings.correlation = { gain = 0, turn_gain = 0 } end
