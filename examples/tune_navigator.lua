@@ -37,17 +37,17 @@ local spaces = {
   vfh_plus = {
     { "window", 1, 0.6, 4 }, { "enlarge", 0.02, 0.005, 0.3 }, { "low", 0.45, 0.05, 6 }, { "high", 1, 0.1, 12 },
     { "wide_valley", 11, 3, 30, whole = true }, { "heading_weight", 2.3, 0.1, 10 }, { "previous_weight", 2.6, 0.1, 10 },
-    { "half_cone", 0.218, 0, 0.218 }, steering(2.3, 0.10, 0.15, 0.33), memory(6, 4),
+    { "half_cone", 0.1, 0, 0.218 }, steering(2.3, 0.10, 0.15, 0.33), memory(6, 4),
   },
   dynamic_window = {
     { "heading_weight", 3, 0.2, 10 }, { "distance_weight", 0.2, 0.02, 5 }, { "speed_weight", 0.32, 0.02, 5 },
     { "margin", 0.07, 0.01, 0.2 }, { "reach", 3.4, 0.5, 4 },
-    { "half_cone", 0.1, 0, 0.218 }, memory(12, 2),
+    { "half_cone", 0, 0, 0.218 }, memory(12, 2),
   },
   tangent_bug = {
     { "reach", 1.9, 0.8, 4 }, { "clearance", 0.06, 0.01, 0.25 }, { "jump", 0.17, 0.05, 1 }, { "constancy", 0.53, 0.01, 1 },
     { "follow_look", 0.87, 0.2, 1.5 }, { "leave", 0.16, 0.02, 0.6 },
-    { "half_cone", 0.1, 0, 0.218 }, steering(1.1, 0.09, 0.42, 0.08), memory(17, 1),
+    { "half_cone", 0, 0, 0.218 }, steering(1.1, 0.09, 0.42, 0.08), memory(17, 1),
   },
   potential_field = {
     { "influence", 0.43, 0.1, 1.5 }, { "repulsion", 0.0025, 0.0002, 0.1 }, { "turn_gain", 0.63, 0.2, 3 },

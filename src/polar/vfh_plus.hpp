@@ -18,7 +18,7 @@ struct VfhPlusOptions {
   double goal_weight = 5;
   double heading_weight = 2.3;
   double previous_weight = 2.6;
-  double half_cone = 0.2181661564992912;
+  double half_cone = 0.1;
   double patience = 15;
   double progress = 0.10;
   SteeringOptions steering{.turn_gain = 2.3, .margin = 0.10, .headway = 0.15, .caution = 0.33};
