@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "polar/aligned.hpp"
 #include "polar/polar_weights.hpp"
 #include "polar/projection.hpp"
 
@@ -66,16 +67,16 @@ class PolarSolver {
   int padded_;  ///< rings, in whole blocks of eight
   std::size_t stride_;
   std::vector<RingWeights> weights_;
-  bool uneven_ = false;         ///< sectors differ in width
-  std::vector<double> shares_;  ///< of the lateral weights, to the left of each sector and to the right
-  std::vector<double> table_;   ///< line factors by next obstructed ring outwards and ring; one for all, or per sector
-  std::vector<char> made_;      ///< rows of it that hold for the present weights
-  std::vector<double> values_;  ///< activation, line by line
-  std::vector<double> source_;
-  std::vector<double> per_ring_;       ///< weights as arrays
-  std::vector<double> factors_;        ///< of all units
+  bool uneven_ = false;          ///< sectors differ in width
+  std::vector<double> shares_;   ///< of the lateral weights, to the left of each sector and to the right
+  polar::AlignedNumbers table_;  ///< line factors by next obstructed ring outwards and ring; one for all, or per sector
+  std::vector<char> made_;       ///< rows of it that hold for the present weights
+  polar::AlignedNumbers values_;  ///< activation, line by line
+  polar::AlignedNumbers source_;
+  polar::AlignedNumbers per_ring_;     ///< weights as arrays
+  polar::AlignedNumbers factors_;      ///< of all units
   std::vector<const double*> factor_;  ///< each sector's
-  std::vector<double> inner_;          ///< of the inner rings
+  polar::AlignedNumbers inner_;        ///< of the inner rings
   int target_ = 0;
   int passes_used_ = 0;
 };

@@ -62,7 +62,7 @@ void SonarMemory::aim(const Readings& readings) {
 inline bool SonarMemory::passes_through(const Beam& beam, const Vec2& point) const {
   const Vec2 way = point - beam.from;
   const double along = way.dot(beam.axis);
-  if (along <= 0 || along >= beam.reading - kSlack) return false;
+  if (along <= 0) return false;
   const double square = way.squaredNorm();
   if (along * along < axis_cosine_ * axis_cosine_ * square) return false;
   const double distance = std::sqrt(square);
