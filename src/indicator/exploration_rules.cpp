@@ -95,7 +95,7 @@ double least_way_on(const Situation& s, const PortRef& ref, double weight) {
   const double step = std::min(s.options.step, port.reach);
   const SinCos direction = sin_cos(port.direction);
   const Vec2 there = s.graph.get(ref.indicator).position + step * Vec2(direction.cos, direction.sin);
-  return step + weight * (there - s.goal).norm();
+  return std::max(step + weight * (there - s.goal).norm(), port.bound);
 }
 
 bool may_shorten(const Situation& s, const PortRef& ref) {

@@ -44,7 +44,10 @@ const Decision& Explorer::step(const Percept& percept) {
   ++state_.in_run;
   if (way_is_closed(percept)) return turn_back();  // 6: a known way that ends early; section 3, action 2
   arrive(percept);                                 // 2, 5: the indicator of this place, a new one if there is none
-  look(percept.ports);                             // 2, 6: its motion directions; links that have closed are removed
+  if (perceive)
+    perceive(graph_, *state_.at);
+  else
+    look(percept.ports);  // 2, 6: its motion directions; links that have closed are removed
   if (percept.back) state_.came_by = nearest_port(*percept.back);
   tie(percept.walked);  // 2: the link with the indicator before
   state_.idle = graph_.revision() == before ? state_.idle + 1 : 0;
@@ -82,7 +85,7 @@ const Decision& Explorer::decide() {
 bool Explorer::way_is_closed(const Percept& percept) const {
   if (!state_.left_by || !state_.at) return false;
   if (percept.blocked) return true;
-  const bool dead_end = percept.ports.size() <= 1 && !knows(percept.position);
+  const bool dead_end = !perceive && percept.ports.size() <= 1 && !knows(percept.position);
   if (!dead_end || state_.left_by->port < 0) return false;
   const Port& port = graph_.port(*state_.left_by);
   return port.link >= 0 || port.failures > 0;

@@ -94,6 +94,9 @@ class Explorer {
   /// Continues from what a file tells.
   void restore(IndicatorGraph graph, const ExplorerState& state);
 
+  /// Where a map tells the ports of more indicators than the one here: called at each step, once the indicator here is
+  /// placed, in the place of what the percept says of ports.
+  std::function<void(IndicatorGraph&, IndicatorId here)> perceive;
   std::function<void(IndicatorId)> on_indicator;     ///< a new one was placed
   std::function<void(const Decision&)> on_decision;  ///< after each step
 

@@ -71,7 +71,7 @@ class GraphReader {
     graph_.restore(slot(), std::nullopt);
   }
   void port() {
-    lines_.count(9, "port DIRECTION REACH STATE TRIES PASSED FAILURES CLOSED_RUN MISSES");
+    lines_.count(10, "port DIRECTION REACH STATE TRIES PASSED FAILURES CLOSED_RUN MISSES BOUND");
     if (!open_) lines_.wrong("a port comes after its indicator");
     Port port;
     port.direction = lines_.number(1);
@@ -87,6 +87,8 @@ class GraphReader {
     port.failures = lines_.integer(6, 0, kMost);
     port.closed_run = lines_.integer(7, 0, kMost);
     port.misses = lines_.integer(8, 0, kMost);
+    port.bound = lines_.number(9);
+    if (port.bound < 0) lines_.wrong("a bound >= 0 expected");
     const bool linked = port.state == PortState::linked;
     if (linked && (port.tries | port.failures | port.closed_run) != 0)
       lines_.wrong("a linked port has no tries, failures or closed run");
@@ -156,8 +158,8 @@ std::string graph_lines(const IndicatorGraph& graph) {
     fmt::format_to(out, "indicator {} {} {} {}\n", slot + 1, indicator->id.generation, indicator->position.x(),
                    indicator->position.y());
     for (const Port& port : indicator->ports)
-      fmt::format_to(out, "port {} {} {} {} {} {} {} {}\n", port.direction, port.reach, to_string(port.state),
-                     port.tries, port.passed, port.failures, port.closed_run, port.misses);
+      fmt::format_to(out, "port {} {} {} {} {} {} {} {} {}\n", port.direction, port.reach, to_string(port.state),
+                     port.tries, port.passed, port.failures, port.closed_run, port.misses, port.bound);
   }
   for (const Link& link : sorted_links(graph))
     fmt::format_to(out, "link {} {} {}\n", end_text(link.a), end_text(link.b), link.length);

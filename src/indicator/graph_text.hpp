@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
-#include "indicator/indicator_graph.hpp"
 #include "base/text_lines.hpp"
+#include "indicator/indicator_graph.hpp"
 
 namespace meander {
 

@@ -58,6 +58,16 @@ int IndicatorGraph::add_port(IndicatorId id, double direction, double reach) {
   return static_cast<int>(ports.size()) - 1;
 }
 
+void IndicatorGraph::set_ports(IndicatorId id, std::vector<Port> ports) {
+  for (const Port& port : at(id).ports)
+    if (port.link >= 0) fail("indicator {}: it has ports that are linked", id.slot + 1);
+  for (const Port& port : ports)
+    if (port.link >= 0 || port.state == PortState::linked)
+      fail("indicator {}: ports that are not linked expected", id.slot + 1);
+  at(id).ports = std::move(ports);
+  ++revision_;
+}
+
 int IndicatorGraph::link(const PortRef& a, const PortRef& b, double length) {
   check_length(length);
   at(a.indicator), at(b.indicator);

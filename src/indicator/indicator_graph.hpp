@@ -41,6 +41,7 @@ struct Port {
   int failures = 0;                      ///< found closed so often
   int closed_run = 0;                    ///< the run in which it was found closed last
   int misses = 0;                        ///< visits in a row at which it was not to be seen
+  double bound = 0;                      ///< a way on over it to the goal is at least so long, as a map tells it [m]
 };
 
 /// A port, or (port -1) the indicator itself: a link by sight leaves by no port.
@@ -74,6 +75,9 @@ class IndicatorGraph {
   void move(IndicatorId id, const Vec2& position);
 
   int add_port(IndicatorId id, double direction, double reach);
+  /// Puts ports in the place of those that it has, none of which may be linked: for maps, which tell them anew each
+  /// time.
+  void set_ports(IndicatorId id, std::vector<Port> ports);
   /// Ties two ports together; what they led to before is forgotten. Length > 0. Gives the link's index.
   int link(const PortRef& a, const PortRef& b, double length);
   void set_length(int link, double length);

@@ -11,8 +11,8 @@ namespace meander {
 ///
 ///   meander indicators 1
 ///   indicator 1 1 0.5 0.5                    serial number, generation, x, y [m]
-///   port 1.5707963267948966 2.5 linked 0 2 0 0 0   direction [rad], reach [m], state, tries, passed, failures,
-///                                                  closed_run, misses
+///   port 1.5707963267948966 2.5 linked 0 2 0 0 0 0   direction [rad], reach [m], state, tries, passed, failures,
+///                                                  closed_run, misses, bound [m]
 ///   free 2 1                                 serial number, generation: removed
 ///   link 1.1 3.2 4                           two ends (indicator.port, or the indicator alone), length [m]
 std::string to_text(const IndicatorGraph& graph);

@@ -153,13 +153,13 @@ TEST(IndicatorGraph, FilesThatAreWrongAreRefusedWithTheirLine) {
     }
     return std::string("none");
   };
-  const std::string head = "meander indicators 1\n", two = head + "indicator 1 1 0 0\nport 0 1 linked 0 0 0 0 0\n";
+  const std::string head = "meander indicators 1\n", two = head + "indicator 1 1 0 0\nport 0 1 linked 0 0 0 0 0 0\n";
   EXPECT_EQ(complaint(""), "g.txt:0: not a file of this kind: 'meander indicators 1' expected in its first line");
   EXPECT_EQ(complaint("meander indicators 2\n"), "g.txt:1: version 2 is not known, only version 1 is");
   EXPECT_EQ(complaint(head + "indicator 2 1 0 0\n"), "g.txt:2: serial number 1 expected");
   EXPECT_EQ(complaint(head + "indicator 1 1 0 nan\n"), "g.txt:2: a finite number expected, got 'nan'");
-  EXPECT_EQ(complaint(head + "port 0 1 unknown 0 0 0 0 0\n"), "g.txt:2: a port comes after its indicator");
-  EXPECT_EQ(complaint(head + "indicator 1 1 0 0\nport 0 1 blockd 0 0 0 0 0\n"),
+  EXPECT_EQ(complaint(head + "port 0 1 unknown 0 0 0 0 0 0\n"), "g.txt:2: a port comes after its indicator");
+  EXPECT_EQ(complaint(head + "indicator 1 1 0 0\nport 0 1 blockd 0 0 0 0 0 0\n"),
             "g.txt:3: unknown state 'blockd'; did you mean 'blocked'?");
   EXPECT_EQ(complaint(two), "g.txt:3: 1 ports are linked, but no link says where to");
   EXPECT_EQ(complaint(two + "link 1.1 1.1 3\n"), "g.txt:4: two ends expected");

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "indicator/map_sight.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/angle.hpp"
+
+namespace meander {
+namespace {
+
+/// The link by sight between two indicators, if there is one.
+std::optional<int> sight_between(const IndicatorGraph& graph, IndicatorId a, IndicatorId b) {
+  for (const int index : graph.get(a).links) {
+    const Link& link = graph.links()[static_cast<std::size_t>(index)];
+    if (link.a.port < 0 && link.b.port < 0 && (link.a.indicator == b || link.b.indicator == b)) return index;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+MapSight::MapSight(const MapPerceptionOptions& perception, const MapSightOptions& options)
+    : perception_(perception), options_(options) {
+  validate(options);
+}
+
+void MapSight::look(IndicatorGraph& graph, IndicatorId here, const ConfigurationSpace& map, const Vec2& goal) {
+  ids_ = graph.ids();
+  places_.clear();
+  for (const IndicatorId id : ids_) places_.push_back(graph.get(id).position);
+  const Vec2 at = graph.get(here).position;
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    if ((places_[i] - at).norm() > options_.near) continue;
+    tell_ports(graph, i, map, goal);
+    tell_links(graph, ids_[i], map);
+  }
+}
+
+/// What was found closed or led nowhere stays so, as long as the map tells a port there.
+void MapSight::tell_ports(IndicatorGraph& graph, std::size_t which, const ConfigurationSpace& map, const Vec2& goal) {
+  const IndicatorId id = ids_[which];
+  std::vector<Port> ports;
+  for (const MapPort& seen : perception_.ports(map, places_, which, goal)) {
+    Port port;
+    const std::vector<Port>& before = graph.get(id).ports;
+    for (std::size_t p = 0; p < before.size(); ++p)
+      if ((port_position(graph, {id, static_cast<int>(p)}) - seen.position).norm() <= options_.keep) port = before[p];
+    port.direction = seen.direction;
+    port.reach = (seen.position - places_[which]).norm();
+    port.bound = seen.bound;
+    ports.push_back(port);
+  }
+  graph.set_ports(id, std::move(ports));
+}
+
+void MapSight::tell_links(IndicatorGraph& graph, IndicatorId id, const ConfigurationSpace& map) {
+  const Vec2 from = graph.get(id).position;
+  field_.spread(map, map.frame().cell(from), options_.link);
+  for (const IndicatorId other : ids_) {
+    const Vec2 to = graph.get(other).position;
+    if (other == id || (to - from).norm() > options_.link) continue;
+    const double way = field_.at(map.frame().cell(to));
+    const std::optional<int> known = sight_between(graph, id, other);
+    if (!std::isfinite(way)) {
+      if (known) graph.unlink(*known);
+    } else if (!known) {
+      graph.link({id}, {other}, std::max(way, map.resolution()));
+    } else if (graph.links()[static_cast<std::size_t>(*known)].length != way && way > 0) {
+      graph.set_length(*known, way);
+    }
+  }
+}
+
+Vec2 port_position(const IndicatorGraph& graph, const PortRef& ref) {
+  const Port& port = graph.port(ref);
+  const SinCos way = sin_cos(port.direction);
+  return graph.get(ref.indicator).position + port.reach * Vec2(way.cos, way.sin);
+}
+
+}  // namespace meander

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include "indicator/indicator_graph.hpp"
+#include "indicator/map_perception.hpp"
+
+namespace meander {
+
+struct MapSightOptions {
+  double near = 3.2;
+  double link = 3;
+  double keep = 0.3;
+};
+template <class Options, class Visitor>
+requires std::same_as<std::remove_const_t<Options>, MapSightOptions>
+void fields(Options& o, Visitor&& visit) {
+  visit(Field{"near", "m", "indicators within this of the robot have their ports told anew", 0.1, 1000}, o.near);
+  visit(Field{"link", "m", "indicators with a free way of at most this between them are linked", 0.1, 1000}, o.link);
+  visit(Field{"keep", "m", "a port that is so near to one given up before is given up", 0, 100}, o.keep);
+}
+
+/// Tells a graph what a map knows of the indicators near the robot: ports anew at each decision, links by sight. To be
+/// called by Explorer::perceive.
+class MapSight {
+ public:
+  explicit MapSight(const MapPerceptionOptions& perception = {}, const MapSightOptions& options = {});
+
+  void look(IndicatorGraph& graph, IndicatorId here, const ConfigurationSpace& map, const Vec2& goal);
+
+ private:
+  void tell_ports(IndicatorGraph& graph, std::size_t which, const ConfigurationSpace& map, const Vec2& goal);
+  void tell_links(IndicatorGraph& graph, IndicatorId id, const ConfigurationSpace& map);
+
+  MapPerception perception_;
+  MapSightOptions options_;
+  GeodesicField field_;
+  std::vector<IndicatorId> ids_;
+  std::vector<Vec2> places_;
+};
+
+/// Where a port is that a map told: `reach` from its indicator as the crow flies.
+Vec2 port_position(const IndicatorGraph& graph, const PortRef& ref);
+
+}  // namespace meander
