@@ -30,15 +30,26 @@ class ConfigurationSpace {
   /// Free, and beside it is an open cell of which nothing is known: an opening narrower than the robot has none.
   bool frontier(Cell cell) const;
 
+  /// Counts changes; what was computed from cells that have not changed since can be kept.
+  std::uint64_t version() const { return version_; }
+  /// Version of the latest change of what is known of a cell, or of whether it is blocked, from `low` to `high` (or a
+  /// little beyond).
+  std::uint64_t changed(Cell low, Cell high) const;
+
   int width() const { return known_.width(); }
   int height() const { return known_.height(); }
   const GridFrame& frame() const { return known_.frame; }
   double resolution() const { return known_.frame.resolution; }
 
  private:
+  void touch(Cell low, Cell high);
+
   Grid<Known> known_;
   Grid<std::int32_t> walls_near_;  ///< walls within reach of each cell
   std::vector<Cell> disc_;         ///< offsets within reach
+  int reach_ = 0;                  ///< in cells
+  std::uint64_t version_ = 0;
+  Grid<std::uint64_t> tiles_;  ///< versions of the latest change, by squares of cells
 };
 
 }  // namespace meander

@@ -38,6 +38,19 @@ Cell middle(const std::vector<Cell>& piece) {
 
 MapPerception::MapPerception(const MapPerceptionOptions& options) : options_(options) { validate(options); }
 
+const std::vector<Cell>& MapPerception::ball(const ConfigurationSpace& map, std::size_t which, const Vec2& place) {
+  if (which >= balls_.size()) balls_.resize(which + 1);
+  Ball& ball = balls_[which];
+  const Cell at = map.frame().cell(place);
+  const int far = static_cast<int>(options_.ball / map.resolution()) + 1;
+  const bool kept = !ball.cells.empty() && ball.place == place &&
+                    map.changed({at.x - far, at.y - far}, {at.x + far, at.y + far}) <= ball.version;
+  if (kept) return ball.cells;
+  other_.spread(map, at, options_.ball);
+  ball = {place, map.version(), other_.reached()};
+  return ball.cells;
+}
+
 /// Marks whose ball covers the cells of the window.
 void MapPerception::cover(const ConfigurationSpace& map, std::span<const Vec2> indicators, std::size_t which) {
   const Vec2 here = indicators[which];
@@ -50,8 +63,7 @@ void MapPerception::cover(const ConfigurationSpace& map, std::span<const Vec2> i
   const double near = 2 * options_.ball + options_.shell;
   for (std::size_t i = 0; i < indicators.size(); ++i) {
     if (i == which || (indicators[i] - here).squaredNorm() > near * near) continue;
-    other_.spread(map, map.frame().cell(indicators[i]), options_.ball);
-    for (const Cell cell : other_.reached())
+    for (const Cell cell : ball(map, i, indicators[i]))
       if (in_window(cell)) mark(cell) |= i < which ? kFirst : kLater;
   }
 }

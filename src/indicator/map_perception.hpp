@@ -37,8 +37,9 @@ struct MapPort {
 };
 
 /// Reads the ports of indicators off a map. [DG+] The paper takes them from the reactive system's motion intervals at
-/// the indicator, which change as the robot moves about it ([DG] Figure 3); the map keeps still. Nothing is remembered
-/// from one call to the next, so that nothing goes stale.
+/// the indicator, which change as the robot moves about it ([DG] Figure 3); the map keeps still. What it tells depends
+/// on the map alone, so that nothing goes stale; balls are kept as long as the map has not changed there. One for one
+/// map.
 class MapPerception {
  public:
   explicit MapPerception(const MapPerceptionOptions& options = {});
@@ -57,6 +58,13 @@ class MapPerception {
     bool worth = false;   ///< a frontier, the goal, or more than the window shows
     double least_on = 0;  ///< from the piece to the goal at least [m]
   };
+  /// The cells of an indicator's ball.
+  struct Ball {
+    Vec2 place{0, 0};
+    std::uint64_t version = 0;  ///< of the map
+    std::vector<Cell> cells;
+  };
+  const std::vector<Cell>& ball(const ConfigurationSpace& map, std::size_t which, const Vec2& place);
   void cover(const ConfigurationSpace& map, std::span<const Vec2> indicators, std::size_t which);
   std::vector<std::vector<Cell>> pieces(const ConfigurationSpace& map, const std::vector<Cell>& members);
   std::vector<Cell> connected(Cell seed, double most);
@@ -75,6 +83,7 @@ class MapPerception {
   int half_ = 0;                     ///< of the window, in cells
   std::vector<std::uint8_t> marks_;  ///< of the window's cells
   std::vector<Cell> queue_;
+  std::vector<Ball> balls_;  ///< by indicator
 };
 
 }  // namespace meander

@@ -22,7 +22,7 @@ std::optional<int> sight_between(const IndicatorGraph& graph, IndicatorId a, Ind
 }  // namespace
 
 MapSight::MapSight(const MapPerceptionOptions& perception, const MapSightOptions& options)
-    : perception_(perception), options_(options) {
+    : window_(perception.window), perception_(perception), options_(options) {
   validate(options);
 }
 
@@ -33,9 +33,20 @@ void MapSight::look(IndicatorGraph& graph, IndicatorId here, const Configuration
   const Vec2 at = graph.get(here).position;
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     if ((places_[i] - at).norm() > options_.near) continue;
+    if (ids_[i].slot >= told_.size()) told_.resize(ids_[i].slot + 1);
+    Told& told = told_[ids_[i].slot];
+    if (still_holds(told, ids_[i], places_[i], map)) continue;
     tell_ports(graph, i, map, goal);
     tell_links(graph, ids_[i], map);
+    told = {ids_[i], map.version(), ids_.size()};
   }
+}
+
+bool MapSight::still_holds(const Told& told, IndicatorId id, const Vec2& place, const ConfigurationSpace& map) const {
+  if (told.id != id || told.indicators != ids_.size()) return false;
+  const Cell at = map.frame().cell(place);
+  const int far = static_cast<int>(std::max(window_, options_.link) / map.resolution()) + 1;
+  return map.changed({at.x - far, at.y - far}, {at.x + far, at.y + far}) <= told.version;
 }
 
 /// What was found closed or led nowhere stays so, as long as the map tells a port there.

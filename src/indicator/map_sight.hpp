@@ -19,8 +19,8 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"keep", "m", "a port that is so near to one given up before is given up", 0, 100}, o.keep);
 }
 
-/// Tells a graph what a map knows of the indicators near the robot: ports anew at each decision, links by sight. To be
-/// called by Explorer::perceive.
+/// Tells a graph what a map knows of the indicators near the robot: ports anew wherever the map has changed, links by
+/// sight. To be called by Explorer::perceive. One for one map and one graph.
 class MapSight {
  public:
   explicit MapSight(const MapPerceptionOptions& perception = {}, const MapSightOptions& options = {});
@@ -28,14 +28,23 @@ class MapSight {
   void look(IndicatorGraph& graph, IndicatorId here, const ConfigurationSpace& map, const Vec2& goal);
 
  private:
+  /// What an indicator was told last.
+  struct Told {
+    IndicatorId id;
+    std::uint64_t version = 0;   ///< of the map
+    std::size_t indicators = 0;  ///< how many there were
+  };
+  bool still_holds(const Told& told, IndicatorId id, const Vec2& place, const ConfigurationSpace& map) const;
   void tell_ports(IndicatorGraph& graph, std::size_t which, const ConfigurationSpace& map, const Vec2& goal);
   void tell_links(IndicatorGraph& graph, IndicatorId id, const ConfigurationSpace& map);
 
+  double window_;  ///< of the perception [m]
   MapPerception perception_;
   MapSightOptions options_;
   GeodesicField field_;
   std::vector<IndicatorId> ids_;
   std::vector<Vec2> places_;
+  std::vector<Told> told_;  ///< by slot
 };
 
 /// Where a port is that a map told: `reach` from its indicator as the crow flies.

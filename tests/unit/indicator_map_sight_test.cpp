@@ -38,7 +38,10 @@ class Robot {
         map_(walls_.width(), walls_.height(), walls_.frame, kReach),
         goal_(goal),
         explorer_(goal) {
-    explorer_.perceive = [this](IndicatorGraph& graph, IndicatorId here) { sight_.look(graph, here, map_, goal_); };
+    explorer_.perceive = [this](IndicatorGraph& graph, IndicatorId here) {
+      sight_.look(graph, here, map_, goal_);
+      if (++looks_ % 4 == 0) expect_as_if_told_anew(graph, here);
+    };
   }
 
   Ending run(const Vec2& start) {
@@ -60,6 +63,21 @@ class Robot {
   const Vec2& at() const { return at_; }
 
  private:
+  /// What was kept from earlier looks is what a look without memory tells.
+  void expect_as_if_told_anew(const IndicatorGraph& graph, IndicatorId here) const {
+    std::vector<Vec2> places;
+    for (const IndicatorId id : graph.ids()) places.push_back(graph.get(id).position);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if ((places[i] - graph.get(here).position).norm() > 3.2) continue;
+      const std::vector<MapPort> anew = MapPerception().ports(map_, places, i, goal_);
+      const std::vector<Port>& kept = graph.get(graph.ids()[i]).ports;
+      ASSERT_EQ(kept.size(), anew.size());
+      for (std::size_t p = 0; p < anew.size(); ++p) {
+        EXPECT_EQ(kept[p].direction, anew[p].direction);
+        EXPECT_EQ(kept[p].bound, anew[p].bound);
+      }
+    }
+  }
   void see() {
     for (int ray = 0; ray < 400; ++ray) {
       const SinCos way = sin_cos(wrap_angle(ray * kPi / 200));
@@ -111,6 +129,7 @@ class Robot {
   Explorer explorer_;
   GeodesicField field_;
   Vec2 at_{0, 0};
+  int looks_ = 0;
 };
 
 TEST(MapSight, TheExplorerReachesItsGoalOnPortsOfAMap) {
