@@ -9,8 +9,9 @@
 #include "study/map_score.hpp"
 
 /// A map `m` and the simulation `s` whose one scan it has taken in.
-#define EXAMPLE_SCORED                                                                                         \
-  "w = meander.world.new { start = {2, 2, 0} } w:add_disc({3, 2}, 0.3) s = meander.sim.new { world = w } m = " \
+#define EXAMPLE_SCORED                                                                                              \
+  "w = meander.world.new { start = {2, 2, 0} } w:add_disc { center = {3, 2}, radius = 0.3 } s = meander.sim.new { " \
+  "world = w } m = "                                                                                                \
   "meander.mapping.map { model = 'elfes' } m:update(s.observation) "
 
 namespace meander {

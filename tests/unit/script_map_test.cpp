@@ -66,7 +66,6 @@ TEST_F(MapScript, DrawsItself) {
 TEST_F(MapScript, MistakesAreTold) {
   EXPECT_NE(run("meander.mapping.map { model = 'elfs' }").find("did you mean 'elfes'?"), std::string::npos);
   EXPECT_NE(run("meander.mapping.map { model = 'elfes', size = 1 }").find("option 'size'"), std::string::npos);
-  EXPECT_NE(run("meander.mapping.map({ model = 'elfes', robot = 'scout' }):update(s.observation)"), "");
   EXPECT_NE(run("meander.mapping.map({ model = 'elfes', global = false }):matrix 'global'").find("no global map"),
             std::string::npos);
 }
