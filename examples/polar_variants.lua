@@ -56,7 +56,7 @@ local list = {
     { options = { map = { rings = 32, sectors = 32, radii = "log" } } },
   },
   {
-    "euclidean", "four_targets,l_corner,clutter_10", "the paper's weights 1 / distance",
+    "euclidean", "four_targets,l_corner,doors,clutter_10", "the paper's weights 1 / distance",
     { options = { map = { weights = "euclidean" } } },
   },
   {

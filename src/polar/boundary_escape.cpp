@@ -15,6 +15,7 @@ constexpr double kAnywhere = 0.3;  ///< what counts as another place [m]
 constexpr double kApart = 0.25;    ///< between places that are remembered [m]
 constexpr double kAlike = 0.8;     ///< headings so near are the same direction along a wall [rad]
 constexpr double kRound = 4.0;     ///< a way round is at least so long [m]
+constexpr double kAgain = 1.5;     ///< way along places passed before that is no chance meeting, as at a door [m]
 constexpr std::size_t kMostPassed = 512;
 
 }  // namespace
@@ -32,6 +33,7 @@ void BoundaryEscape::begin(double time, const Pose2& pose, const Vec2& target, d
   place_ = pose.position();
   since_ = time;
   least_ = least;
+  new_until_ = 0;
   passed_.clear();
 }
 
@@ -52,7 +54,8 @@ BoundaryEscape::State BoundaryEscape::update(double time, const Pose2& pose, con
 
 BoundaryEscape::State BoundaryEscape::judge(double time, const Pose2& pose, double patience) {
   if (walk_->driven() > least_ && walk_->over(options_.leave)) return State::over;
-  if (passed_before(pose)) return State::round;
+  if (!passed_before(pose)) new_until_ = walk_->driven();
+  if (walk_->driven() - new_until_ > kAgain) return State::round;
   remember(pose);
   if ((pose.position() - place_).norm() > kAnywhere) place_ = pose.position(), since_ = time;
   return time - since_ > patience ? State::stuck : State::walking;

@@ -66,6 +66,7 @@ class BoundaryEscape {
   Vec2 place_{0, 0};  ///< where it was when it last got anywhere
   double since_ = 0;
   double least_ = 0;
+  double new_until_ = 0;  ///< way after which only places came that it had passed before [m]
   std::vector<Passed> passed_;
 };
 
