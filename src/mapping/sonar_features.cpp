@@ -64,8 +64,9 @@ void SonarSelector::take(const SonarSweep& sweep) {
   if (sweep.ranges.size() != count) fail("sonar network: {} ranges expected, got {}", count, sweep.ranges.size());
   for (std::size_t i = 0; i < readings_.size(); ++i) {
     const double range = sweep.ranges[(i + count - 1) % count];
-    const bool echo = range < sweep.range_max;
-    readings_[i] = static_cast<float>(echo ? std::min(range + ring_.radius, features_.range_cap) : features_.range_cap);
+    const bool echo = range < sweep.range_max;  // no number is none
+    readings_[i] =
+        static_cast<float>(echo ? std::clamp(range + ring_.radius, 0.0, features_.range_cap) : features_.range_cap);
   }
 }
 

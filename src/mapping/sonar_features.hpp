@@ -36,7 +36,7 @@ namespace mapping {
 /// The readings and the place behind the features of a few cells.
 struct Selection {
   Lanes nearest, second, third;  ///< readings from the robot's centre, capped [m]
-  Lanes range;                   ///< of the cell [m]
+  Lanes range;                   ///< of the cell, at most the reach [m]
   Lanes offset;                  ///< of the cell from the nearest sonar's axis, in pitches of the ring: 0 to 0.5
 };
 
@@ -69,7 +69,8 @@ inline Selection SonarSelector::select(Lanes range, Lanes bearing) const {
   const Lanes from_start = most(least(u + turns, all(2 * turns - 1)), all(0.0F));
   const Whole nearest = __builtin_convertvector(from_start + 0.5F, Whole);  // [CN] 3.2
   const Lanes offset = from_start - __builtin_convertvector(nearest, Lanes);
-  Selection cells{{}, {}, {}, range, magnitude(offset)};
+  const auto reach = static_cast<float>(features_.reach);
+  Selection cells{{}, {}, {}, most(least(range, all(reach)), all(0.0F)), magnitude(offset)};
   for (int i = 0; i < kLanes; ++i) {
     const float* reading = readings_.data() + 1 + nearest[i];
     const std::ptrdiff_t side = offset[i] < 0.0F ? -1 : 1;

@@ -90,7 +90,7 @@ class Table {
     const Selection cells = selector_.select(range, bearing);
     const auto reach = static_cast<float>(features_.reach);
     for (int i = 0; i < kLanes; ++i) {
-      const float r = std::min(cells.range[i], reach);
+      const float r = cells.range[i];
       std::size_t row = range_bin(r) * static_cast<std::size_t>(offsets_) + offset_bin(cells.offset[i]);
       row = (row * steps_[0].count() + steps_[0].of(cells.nearest[i] - r)) * steps_[1].count() +
             steps_[1].of(cells.second[i] - r);
