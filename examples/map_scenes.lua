@@ -17,6 +17,7 @@ local options = require "meander.arguments" {
   { "--preset NAME", default = "real", help = "networks: the sonar that their weights were trained for" },
   { "--fusion NAME", default = "viewbin", values = { "viewbin", "bayes" }, help = "how scans are fused" },
   { "--sonar NAME", default = "nomad", values = { "ideal", "nomad", "real" }, help = "sonar preset of the robot" },
+  { "--occupied P", default = 0.5, help = "cells of at least this probability are obstacles" },
   { "--seeds N", default = 20, help = "trials per scene" },
   { "--first-seed S", default = 2000, help = "their seeds begin here" },
   { "--json", help = "one JSON object per scene and way" },
@@ -27,9 +28,9 @@ local options = require "meander.arguments" {
 local map = { model = options.model, preset = options.preset, fusion = options.fusion }
 local makers = {
   polar = function() return meander.polar.navigator {} end,
-  polar_map = function() return meander.autonomy.map_navigator { map = map } end,
+  polar_map = function() return meander.autonomy.map_navigator { map = map, occupied = options.occupied } end,
   field = function() return meander.polar.potential_field {} end,
-  field_safety = function() return meander.autonomy.map_safety(meander.polar.potential_field {}, { map = map }) end,
+  field_safety = function() return meander.autonomy.map_safety(meander.polar.potential_field {}, { map = map, occupied = options.occupied }) end,
 }
 local ways = candidates.chosen(options.way, { "polar", "polar_map", "field", "field_safety" }, "way")
 
