@@ -3,34 +3,21 @@
 #include "planning/neural_map.hpp"
 
 #include "planning/neural_solution.hpp"
+#include "planning/neural_tiles.hpp"
 
 namespace meander {
-namespace {
-
-NeuralSolution equilibrium(const NeuralNet& net, const PlanningProblem& problem, const NeuralMapOptions& options,
-                           const Work& work) {
-  switch (options.solver) {
-    case NeuralSolver::raster:
-      return solve_raster(net, options, problem.start, work);
-    case NeuralSolver::synchronous:
-      return solve_synchronous(net, options, problem.start, work);
-    default:
-      return solve_active_list(net, options, work);
-  }
-}
-
-}  // namespace
 
 PlanningResult neural_map(const PlanningProblem& problem, const NeuralMapOptions& options, const Work& work) {
   validate(options);
   if (std::string reason = no_path_reason(problem, work); !reason.empty()) return {.value = {}, .reason = reason};
+  const bool even = problem.even() && problem.lattice == Lattice::rectangular && options.weights == WeightLaw::inverse;
+  if (options.solver == NeuralSolver::tiles && even) return solve_tiles(problem, options, work);
   const NeuralNet net = neural_net(problem, options, work);
-  const NeuralSolution solution = equilibrium(net, problem, options, work);
-  PlanningResult result = landscape_of(net, solution.v, problem);
-  result.statistics.relaxations = solution.relaxations;
-  result.statistics.residual = solution.residual;
-  result.statistics.complete = solution.complete;
-  return result;
+  const NeuralSolution solution =
+      options.solver == NeuralSolver::raster        ? solve_raster(net, options, problem.start, work)
+      : options.solver == NeuralSolver::synchronous ? solve_synchronous(net, options, problem.start, work)
+                                                    : solve_active_list(net, options, work);
+  return landscape_of(net, solution, problem);
 }
 
 }  // namespace meander

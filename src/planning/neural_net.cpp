@@ -124,16 +124,4 @@ double relative_error(const Extended& v, const Extended& u) {
   return std::abs(v.in_block(u.block) / u.value - 1);
 }
 
-PlanningResult landscape_of(const NeuralNet& net, const Activation& v, const PlanningProblem& problem) {
-  PlanningResult result{.value = Grid<double>(net.width, net.height, kNoValue, problem.blocked.frame)};
-  for (int y = 0; y < net.height; ++y)
-    for (int x = 0; x < net.width; ++x) {
-      const Extended& own = v[static_cast<std::size_t>(net.index({x, y}))];
-      if (own.zero()) continue;
-      result.value[{x, y}] = natural_log(own);
-      ++result.statistics.cells;
-    }
-  return result;
-}
-
 }  // namespace meander

@@ -93,7 +93,4 @@ double scan_residuals(const NeuralNet& net, const Activation& v, const Work& wor
   return worst;
 }
 
-/// ln v of every cell, and how many there are; dead units are those without a neighbour of more activation.
-PlanningResult landscape_of(const NeuralNet& net, const Activation& v, const PlanningProblem& problem);
-
 }  // namespace meander

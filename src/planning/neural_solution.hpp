@@ -29,4 +29,7 @@ NeuralSolution solve_active_list(const NeuralNet& net, const NeuralMapOptions& o
 void settle(const NeuralNet& net, NeuralSolution& solution, std::vector<std::int32_t> active, double tolerance,
             const Work& work);
 
+/// ln v of every cell that has any; the statistics know how many, and how many reachable units a path could not leave.
+PlanningResult landscape_of(const NeuralNet& net, const NeuralSolution& solution, const PlanningProblem& problem);
+
 }  // namespace meander

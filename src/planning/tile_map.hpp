@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#pragma once
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "planning/problem.hpp"
+#include "planning/tile_kernel.hpp"
+
+namespace meander {
+
+/// Sixteen bits for each row (or column) of a tile.
+using TileBits = std::array<std::uint16_t, kTile>;
+
+/// The cells of one tile that hang together. They are at most 128 steps from each other, so one exponent serves them
+/// all, whatever the activation of other units in the same tile.
+struct TileUnit {
+  static constexpr std::int32_t kAsleep = std::numeric_limits<std::int32_t>::min();
+
+  std::int32_t slot = 0;
+  std::int32_t exponent = kAsleep;  ///< activation is the stored number times 2^exponent; a multiple of 512
+  std::int32_t key = std::numeric_limits<std::int32_t>::max();  ///< place in the queue
+  std::int32_t links = -1;  ///< of TileMap::links; -1: every diagonal between open cells is a link
+  std::int32_t curve = -1;  ///< where tanh is not the identity: what keeps its gains
+  std::uint8_t sides = 0;   ///< where something changed: bit TileScratch::Side
+  bool full = false;        ///< all 256 cells
+  bool fresh = false;       ///< holds a target of which nobody has heard yet
+  std::uint16_t size = 0;   ///< cells
+  TileBits rows{}, columns{};
+};
+
+/// The map cut into tiles of 16 x 16 cells. Tiles without an open cell share slot 0, which also is the rim.
+struct TileMap {
+  static constexpr int kCells = kTile * kTile;
+  /// Bit p of rows[r]: the cells p - 1 and p of the rows r - 1 and r are all open, so that both diagonals are links.
+  struct Links {
+    std::array<std::uint32_t, kTile + 1> rows{}, columns{};
+  };
+
+  Corners corners = Corners::keep;
+  int across = 0;  ///< tiles in a row, with the rim
+  int up = 0;
+  std::size_t cell_count = 0;            ///< open cells
+  std::vector<std::int32_t> slot;        ///< of each tile
+  std::vector<std::int32_t> tile;        ///< of each slot
+  std::vector<std::int32_t> first_unit;  ///< of each slot, and one more
+  std::vector<TileBits> open;            ///< of each slot: the open cells, row by row
+  std::vector<TileUnit> units;           ///< in the order of the slots
+  std::vector<Links> links;
+  std::vector<double> cells;  ///< 256 for each slot
+  std::vector<double> sides;  ///< 32 for each slot: the left column and the right one again
+
+  double* cells_of(std::int32_t s) { return &cells[static_cast<std::size_t>(s) * kCells]; }
+  double* sides_of(std::int32_t s) { return &sides[static_cast<std::size_t>(s) * 2 * kTile]; }
+  std::int32_t tile_of(Cell cell) const { return (cell.y / kTile + 1) * across + cell.x / kTile + 1; }
+  /// The unit that holds bit x of row y of the slot; -1: none.
+  std::int32_t unit_at(std::int32_t s, int x, int y) const {
+    for (std::int32_t u = first_unit[static_cast<std::size_t>(s)]; u < first_unit[static_cast<std::size_t>(s) + 1]; ++u)
+      if ((units[static_cast<std::size_t>(u)].rows[static_cast<std::size_t>(y)] >> x & 1) != 0) return u;
+    return -1;
+  }
+};
+
+TileMap tile_map(const PlanningProblem& problem, const Work& work = {});
+
+}  // namespace meander
