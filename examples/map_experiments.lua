@@ -19,6 +19,7 @@ local options = require "meander.arguments" {
   { "--against NAME", default = "elfes", help = "the model that the others are compared with in pairs" },
   { "--places N", default = 3, help = "places per room where the robot stands" },
   { "--drive SECONDS", default = 40.0, help = "length of the drive" },
+  { "--threshold P", default = 0.5, help = "probability above which a cell is an obstacle, for errors by direction" },
   { "--jobs N", default = 0, help = "worker processes; 0: one per core" },
   { "--json", help = "one JSON object per experiment, preset and model" },
   { "--out DIR", default = "", help = "folder for the reliability curves; none when empty" },
@@ -100,7 +101,7 @@ local function standing(results, room, preset, seed, place)
   local truth = meander.study.map_truth(maps[models[1]], sim):all()
   local first = copies(maps)
   for _, model in ipairs(models) do
-    note(results, "robustness", "viewbin", model, score_figures(meander.study.map_score(maps[model], sim)))
+    note(results, "robustness", "viewbin", model, score_figures(meander.study.map_score(maps[model], sim, { threshold = options.threshold })))
   end
   stand(sim, maps, kScans - 1)
   local last = copies(maps)
@@ -187,7 +188,7 @@ local function driving(results, room, preset, seed)
       if cycles % 20 > 0 then return end
       for fusion, maps in pairs(both) do
         for _, model in ipairs(models) do
-          local score = meander.study.map_score(maps[model], sim)
+          local score = meander.study.map_score(maps[model], sim, { threshold = options.threshold })
           local figures = score_figures(score)
           note(results, "fused", fusion, model, figures)
           note(results, "direction", fusion, model, { error_cm = figures.error_cm })

@@ -38,7 +38,7 @@ class Steps {
   std::size_t of(float difference) const { return index_[static_cast<std::size_t>((difference - low_) * kPerMetre)]; }
 
  private:
-  static constexpr double kFine = 0.25;  ///< [m]
+  static constexpr double kFine = 0.35;  ///< [m]
   static constexpr float kPerMetre = 100.0F;
   float low_;
   std::vector<float> centers_;
@@ -73,9 +73,9 @@ class Table {
   }
 
  private:
-  static constexpr int kRanges = 44;
-  static constexpr int kOffsets = 3;
-  static constexpr int kSteps[3] = {24, 16, 8};
+  static constexpr int kRanges = 12;
+  static constexpr int kOffsets = 8;
+  static constexpr int kSteps[3] = {24, 20, 16};
   static constexpr float kUnit = 0.05F;  ///< log-odds of one step of a byte
 
   std::size_t range_bin(float range) const {

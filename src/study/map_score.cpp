@@ -80,8 +80,10 @@ std::pair<double, bool> first_blocked(const Grid<float>& grid, const Vec2& from,
 }
 
 /// [CN] Figure 6.
-void score_directions(const Grid<float>& probability, const Sim& sim, std::size_t robot, int directions,
+void score_directions(const Grid<float>& probability, const Sim& sim, std::size_t robot, const MapScoreOptions& options,
                       MapScore& score) {
+  const int directions = options.directions;
+  const auto threshold = static_cast<float>(options.threshold);
   const Vec2 low = probability.frame.origin.position(), from = sim.state(robot).pose_world.position();
   const double side = probability.frame.resolution, begin = sim.robot(robot).platform.sonar.radius;
   const Vec2 size = side * Vec2(probability.width() - 0.5, probability.height() - 0.5);
@@ -91,7 +93,7 @@ void score_directions(const Grid<float>& probability, const Sim& sim, std::size_
     const SinCos t = sin_cos(2 * kPi * i / directions);
     const Vec2 way(t.cos, t.sin);
     const auto [mapped, shown] =
-        first_blocked(probability, from, way, begin, [&](Cell c) { return probability[c] > 0.5F; });
+        first_blocked(probability, from, way, begin, [&](Cell c) { return probability[c] > threshold; });
     const auto [true_distance, is_there] =
         first_blocked(probability, from, way, begin, [&](Cell c) { return solid.at(c, 0) != 0; });
     score.error += std::abs(mapped - true_distance) / directions;
@@ -118,7 +120,7 @@ MapScore score_map(const Grid<float>& probability, const Sim& sim, std::size_t r
   } else {
     score.ce = score.brier = score.auc = score.ece = kUnknown;
   }
-  if (!probability.cells().empty()) score_directions(probability, sim, robot, options.directions, score);
+  if (!probability.cells().empty()) score_directions(probability, sim, robot, options, score);
   return score;
 }
 

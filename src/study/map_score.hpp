@@ -10,6 +10,7 @@ namespace meander {
 struct MapScoreOptions {
   MapTruthOptions truth;
   int directions = 72;
+  double threshold = 0.5;
   int bins = 10;
 };
 template <class Options, class Visitor>
@@ -17,6 +18,8 @@ requires std::same_as<std::remove_const_t<Options>, MapScoreOptions>
 void fields(Options& o, Visitor&& visit) {
   fields(o.truth, visit);
   visit(Field{"directions", "", "in which the distance to the first obstacle is compared", 1, 10000}, o.directions);
+  visit(Field{"threshold", "", "probability above which a cell is an obstacle in these directions", 0.01, 0.99},
+        o.threshold);
   visit(Field{"bins", "", "of the reliability curve", 1, 1000}, o.bins);
 }
 
@@ -35,9 +38,9 @@ struct MapScore {
   double brier = 0;            ///< mean squared error of the probability
   double auc = 0;              ///< share of pairs of an occupied and a free cell in right order
   double ece = 0;              ///< expected calibration error: mean |predicted - occupied| over the bins
-  double error = 0;            ///< mean |distance to the first cell with P > 0.5 - true distance| by direction [m]
-  double missed = 0;           ///< share of the directions with an obstacle in the window where the map shows none
-  double phantom = 0;          ///< share of the directions without one where the map shows one
+  double error = 0;    ///< mean |distance to the first cell above the threshold - true distance| by direction [m]
+  double missed = 0;   ///< share of the directions with an obstacle in the window where the map shows none
+  double phantom = 0;  ///< share of the directions without one where the map shows one
   std::vector<ReliabilityBin> reliability;
 };
 
