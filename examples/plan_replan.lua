@@ -26,7 +26,7 @@ local steps = {
   { "the upper door is shut", function() map:block(doors.upper) end },
   { "the lower door is shut, too", function() map:block(doors.lower) end },
   { "the upper door is open again", function() map:block(doors.upper, false) end },
-  { "a box stands before it", function() map:block { { 3.0, 4.2 }, { 3.4, 5.2 } } end },
+  { "a box stands before it", function() map:block { { 2.6, 4.2 }, { 3.0, 5.6 } } end },
 }
 
 local before
