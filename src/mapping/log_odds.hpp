@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
-#include <Eigen/Core>
+#include <cstddef>
 
 #include "base/elementary.hpp"
 
@@ -15,10 +15,6 @@ inline float probability_of(float log_odds) {
 }
 
 /// Adds evidence to `count` cells, each of which stays within the limit.
-inline void add_evidence(float* cells, const float* increments, std::size_t count, float limit) {
-  const auto n = static_cast<Eigen::Index>(count);
-  Eigen::Map<Eigen::ArrayXf> sums(cells, n);
-  sums = (sums + Eigen::Map<const Eigen::ArrayXf>(increments, n)).max(-limit).min(limit);
-}
+void add_evidence(float* cells, const float* increments, std::size_t count, float limit);
 
 }  // namespace meander
