@@ -41,6 +41,16 @@ inline double squash(double x) {
   return x * (135135 + q * (17325 + q * (378 + q))) / (135135 + q * (62370 + q * (3150 + q * 28)));
 }
 
+/// exp(-x) for x >= 0 with the same bits everywhere: the series for x / 2^n, squared n times.
+inline double falling_exponential(double x) {
+  int halvings = 0;
+  for (; x > 0.25 && halvings < 16; ++halvings) x /= 2;
+  double term = 1, sum = 1;
+  for (int n = 1; n < 20; ++n) term *= -x / n, sum += term;
+  for (; halvings > 0; --halvings) sum *= sum;
+  return sum;
+}
+
 /// ln x to within 1e-15 for normal x > 0, with the same bits on every machine.
 inline double natural_log(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);

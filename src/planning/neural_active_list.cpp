@@ -12,11 +12,16 @@ namespace {
 /// Units to be updated, in rounds: those of the next are noted while this one goes on.
 class ActiveList {
  public:
-  explicit ActiveList(std::size_t units) : noted_(units, 0) {}
+  explicit ActiveList(std::size_t units) : noted_(units, 0), seen_(units, 0) {}
 
   void note(std::int32_t i) {
     if (std::exchange(noted_[static_cast<std::size_t>(i)], std::uint8_t{1}) == 0) next_.push_back(i);
   }
+  /// Its equation may have changed, be it ever so little.
+  void see(std::int32_t i) {
+    if (std::exchange(seen_[static_cast<std::size_t>(i)], std::uint8_t{1}) == 0) all_seen_.push_back(i);
+  }
+  const std::vector<std::int32_t>& seen() const { return all_seen_; }
   bool next_round(std::vector<std::int32_t>& round) {
     round.clear();
     round.swap(next_);
@@ -25,8 +30,8 @@ class ActiveList {
   void take(std::int32_t i) { noted_[static_cast<std::size_t>(i)] = 0; }
 
  private:
-  std::vector<std::uint8_t> noted_;
-  std::vector<std::int32_t> next_;
+  std::vector<std::uint8_t> noted_, seen_;
+  std::vector<std::int32_t> next_, all_seen_;
 };
 
 class Relaxation {
@@ -38,8 +43,11 @@ class Relaxation {
   }
 
   void note(std::int32_t i) {
-    if (!net_.is_target(i)) list_.note(i);
+    if (net_.is_target(i)) return;
+    list_.see(i);
+    list_.note(i);
   }
+  const std::vector<std::int32_t>& seen() const { return list_.seen(); }
 
   void run() {
     std::vector<std::int32_t> round;
@@ -77,6 +85,8 @@ class Relaxation {
   void spread(std::int32_t i, double change, std::int32_t block) {
     if (change == 0) return;
     net_.for_each_link(i, [&](std::int32_t j, int k) {
+      if (net_.is_target(j)) return;
+      list_.see(j);
       const Extended& other = v_[static_cast<std::size_t>(j)];
       if (net_.weight_of(j, k ^ 1) * change > threshold_ * other.in_block(block)) note(j);
     });
@@ -100,9 +110,12 @@ void settle(const NeuralNet& net, NeuralSolution& solution, std::vector<std::int
     for (const std::int32_t i : active) relaxation.note(i);
     relaxation.run();
     active.clear();
-    solution.residual = scan_residuals(net, solution.v, work, [&](std::int32_t i, double error) {
+    solution.residual = 0;
+    for (const std::int32_t i : relaxation.seen()) {
+      const double error = relative_error(solution.v[static_cast<std::size_t>(i)], response(net, solution.v, i));
+      solution.residual = std::max(solution.residual, error);
       if (error > 0.9 * tolerance) active.push_back(i);
-    });
+    }
   }
 }
 

@@ -11,13 +11,16 @@ PlanningResult neural_map(const PlanningProblem& problem, const NeuralMapOptions
   validate(options);
   if (std::string reason = no_path_reason(problem, work); !reason.empty()) return {.value = {}, .reason = reason};
   const bool even = problem.even() && problem.lattice == Lattice::rectangular && options.weights == WeightLaw::inverse;
-  if (options.solver == NeuralSolver::tiles && even) return solve_tiles(problem, options, work);
+  const bool swept = options.solver == NeuralSolver::raster || options.solver == NeuralSolver::synchronous;
+  const bool for_start = options.extent == NeuralExtent::start && problem.start && !swept;
+  if (options.solver == NeuralSolver::tiles && even && !for_start) return solve_tiles(problem, options, work);
   const NeuralNet net = neural_net(problem, options, work);
-  const NeuralSolution solution =
-      options.solver == NeuralSolver::raster        ? solve_raster(net, options, problem.start, work)
-      : options.solver == NeuralSolver::synchronous ? solve_synchronous(net, options, problem.start, work)
-                                                    : solve_active_list(net, options, work);
-  return landscape_of(net, solution, problem);
+  if (for_start) return landscape_of(net, solve_for_start(net, *problem.start, work), problem);
+  if (options.solver == NeuralSolver::raster)
+    return landscape_of(net, solve_raster(net, options, problem.start, work), problem);
+  if (options.solver == NeuralSolver::synchronous)
+    return landscape_of(net, solve_synchronous(net, options, problem.start, work), problem);
+  return landscape_of(net, solve_active_list(net, options, work), problem);
 }
 
 }  // namespace meander

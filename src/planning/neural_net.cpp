@@ -8,16 +8,6 @@
 namespace meander {
 namespace {
 
-/// exp(-x) for x >= 0 with the same bits everywhere: the series for x / 2^n, squared n times.
-double falling_exponential(double x) {
-  int halvings = 0;
-  for (; x > 0.25 && halvings < 16; ++halvings) x /= 2;
-  double term = 1, sum = 1;
-  for (int n = 1; n < 20; ++n) term *= -x / n, sum += term;
-  for (; halvings > 0; --halvings) sum *= sum;
-  return sum;
-}
-
 // [LM99] w_ij = f(rho(c_i, c_j))
 double weight_law(const NeuralMapOptions& options, double cost) {
   constexpr double kDearest = 60;  // a way is dear, never closed
@@ -89,6 +79,7 @@ double set_weights(NeuralNet& net, const PlanningProblem& problem, const NeuralM
 
 NeuralNet neural_net(const PlanningProblem& problem, const NeuralMapOptions& options, const Work& work) {
   NeuralNet net;
+  net.lattice = problem.lattice;
   net.width = problem.blocked.width();
   net.height = problem.blocked.height();
   net.stride = net.width + 2 * NeuralNet::kRim;
@@ -111,6 +102,16 @@ NeuralNet neural_net(const PlanningProblem& problem, const NeuralMapOptions& opt
     net.links[static_cast<std::size_t>(net.index(target))] |= NeuralNet::kTarget;
   }
   return net;
+}
+
+void relink(NeuralNet& net, const PlanningProblem& problem, Cell cell) {
+  std::uint32_t& links = net.links[static_cast<std::size_t>(net.index(cell))];
+  links &= NeuralNet::kTarget;
+  if (problem.blocked[cell] != 0) return;
+  links |= (cell.y & 1) != 0 ? NeuralNet::kOddRow : 0;
+  const std::span<const LatticeStep> steps = lattice_steps(problem.lattice, cell.y);
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    if (open_step(problem.blocked, problem.corners, cell, steps[k])) links |= 1u << k;
 }
 
 Activation resting(const NeuralNet& net) {

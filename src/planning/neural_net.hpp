@@ -18,6 +18,7 @@ struct NeuralNet {
   static constexpr std::uint32_t kOddRow = 1u << 31, kTarget = 1u << 30, kSteps = (1u << 20) - 1;
   static constexpr int kRim = 2;
 
+  Lattice lattice = Lattice::rectangular;
   int width = 0;  ///< of the map
   int height = 0;
   int stride = 0;
@@ -59,6 +60,9 @@ struct NeuralNet {
 };
 
 NeuralNet neural_net(const PlanningProblem& problem, const NeuralMapOptions& options, const Work& work = {});
+
+/// The unit's connections anew, after cells near it were blocked or freed.
+void relink(NeuralNet& net, const PlanningProblem& problem, Cell cell);
 
 using Activation = std::vector<Extended>;  ///< v of every unit of a net
 

@@ -25,9 +25,15 @@ NeuralSolution solve_raster(const NeuralNet& net, const NeuralMapOptions& option
 /// size, where the rasters' number grows with the map.
 NeuralSolution solve_active_list(const NeuralNet& net, const NeuralMapOptions& options, const Work& work = {});
 
-/// The same from any activation, for units whose equations may have changed.
+/// The same from any activation, for units whose equations may have changed: theirs, and all that change with them, are
+/// within the tolerance afterwards.
 void settle(const NeuralNet& net, NeuralSolution& solution, std::vector<std::int32_t> active, double tolerance,
             const Work& work);
+
+/// [LM99+] As much of the equilibrium as the path from the start needs: units in the order of the most that they can
+/// mean to the start, until nothing is left that would change its activation by more than a ten thousandth. The paper
+/// ends when the front arrives, and its path is up to 14 % longer than that of the equilibrium.
+NeuralSolution solve_for_start(const NeuralNet& net, Cell start, const Work& work = {});
 
 /// ln v of every cell that has any; the statistics know how many, and how many reachable units a path could not leave.
 PlanningResult landscape_of(const NeuralNet& net, const NeuralSolution& solution, const PlanningProblem& problem);
