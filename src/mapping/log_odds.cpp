@@ -8,10 +8,13 @@
 namespace meander {
 namespace {
 
-/// `kWide` cells at a time: the same bits however wide.
-template <int kWide>
+using Four = float __attribute__((vector_size(16)));
+using Eight = float __attribute__((vector_size(32)));
+
+/// Several cells at a time: the same bits however many.
+template <class Lanes>
 [[gnu::always_inline]] inline void add(float* cells, const float* increments, std::size_t count, float limit) {
-  using Lanes = float __attribute__((vector_size(4 * kWide)));
+  constexpr std::size_t kWide = sizeof(Lanes) / sizeof(float);
   const Lanes high = Lanes{} + limit, low = -high;
   std::size_t k = 0;
   for (; k + kWide <= count; k += kWide) {
@@ -29,12 +32,12 @@ template <int kWide>
 using Add = void (*)(float*, const float*, std::size_t, float);
 
 void add_4(float* cells, const float* increments, std::size_t count, float limit) {
-  add<4>(cells, increments, count, limit);
+  add<Four>(cells, increments, count, limit);
 }
 
 #ifdef __x86_64__
 [[gnu::target("avx2")]] void add_8(float* cells, const float* increments, std::size_t count, float limit) {
-  add<8>(cells, increments, count, limit);
+  add<Eight>(cells, increments, count, limit);
 }
 Add widest() {
   __builtin_cpu_init();
