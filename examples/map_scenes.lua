@@ -61,19 +61,20 @@ for _, name in ipairs(candidates.chosen(options.scene, scenes.names(), "scene"))
       if not result.value.passed_over then runs[#runs + 1] = result.value end
     end
     local arrived = function(run) return run.success end
+    local times = candidates.column(runs, "time", arrived)
     local line = {
       scene = name, way = way, model = options.model, sonar = options.sonar, n = #runs,
-      reached = #candidates.column(runs, "time", arrived),
+      reached = #times,
       fault_contacts = math.tointeger(candidates.sum(candidates.column(runs, "faults"))),
-      time_median = candidates.rounded((candidates.median(candidates.column(runs, "time", arrived))), 2),
+      time_median = #times > 0 and candidates.rounded((candidates.median(times)), 2) or nil,
       clearance_median = candidates.rounded((candidates.median(candidates.column(runs, "clearance"))), 3),
       cycle_us_median = candidates.rounded((candidates.median(candidates.column(runs, "cycle_us"))), 1),
     }
     if options.json then
       print(json.encode(line, keys))
     else
-      print(("%-12s %-13s reached %2d of %2d, own contacts %3d, %6.1f s, clearance %.3f m, %6.1f us a cycle"):format(
-        name, way, line.reached, line.n, line.fault_contacts, line.time_median, line.clearance_median, line.cycle_us_median))
+      print(("%-12s %-13s reached %2d of %2d, own contacts %3d, %8s, clearance %.3f m, %6.1f us a cycle"):format(
+        name, way, line.reached, line.n, line.fault_contacts, line.time_median and ("%.1f s"):format(line.time_median) or "-", line.clearance_median, line.cycle_us_median))
     end
   end
 end
