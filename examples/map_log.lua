@@ -30,7 +30,7 @@ if #options.rest > 1 then report.usage_error("one log expected, got " .. #option
 local path = options.rest[1] or recorded()
 local ok, log = pcall(meander.study.sonar_log, path,
   { bad = options.strict and "refuse" or "skip", range_max = options.range_max })
-if not ok then report.failure(tostring(log)) end
+if not ok then report.failure((tostring(log):gsub("^.-:%d+: [%w_.]+: ", ""))) end
 if #log == 0 then report.failure(path .. ": no scan that could be used") end
 
 -- The ring that the file tells of, or that of the platform.

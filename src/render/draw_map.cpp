@@ -45,13 +45,16 @@ DrawList draw_map(const Grid<float>& probability, const std::optional<Box>& wind
     cells.marks.push_back(drawn.mark);
   }
   list.items.emplace_back(std::move(cells));
-  if (window)
+  if (window) {
+    list.view.low = list.view.low.cwiseMin(window->low - rim);
+    list.view.high = list.view.high.cwiseMax(window->high + rim);
     list.items.emplace_back(DrawPolyline{
         {window->low, {window->high.x(), window->low.y()}, window->high, {window->low.x(), window->high.y()}},
         true,
         0.004 * size.maxCoeff(),
         colors.path,
-        Mark::grid});
+        Mark::curve});
+  }
   if (robot) list.items.emplace_back(DrawBody{*robot, heading, colors.robot, colors.robot_nose});
   return list;
 }
