@@ -6,6 +6,7 @@
 --   ./meander examples/sonar_model_scores.lua --rooms 20
 local json = require "meander.json"
 local candidates = require "meander.candidates"
+local report = require "meander.report"
 local rooms = require "meander.sonar_rooms"
 
 local options = require "meander.arguments" {
@@ -17,6 +18,7 @@ local options = require "meander.arguments" {
   { "--poses N", default = 30, help = "places in each" },
   { "--seed N", default = 2001, help = "seed of the first room" },
   { "--json", help = "one JSON object per model and sonar instead of text" },
+  { "--out DIR", default = "", help = "folder for the figures as JSON lines; none when empty" },
 }
 
 local models = candidates.chosen(options.model, meander.mapping.models(), "model")
@@ -32,6 +34,8 @@ local function measured(name, table, sonar, lessons)
   return { ce = ce, brier = meander.study.mean(brier), auc = meander.study.mean(auc) }
 end
 
+local keys = { "experiment", "preset", "model", "n", "ce", "ce_low", "ce_high", "brier", "auc", "more", "more_low", "more_high", "table_ce" }
+local lines = {}
 for _, sonar in ipairs(candidates.chosen(options.sonar, { "ideal", "real" }, "sonar")) do
   local lessons = {}
   for i = 1, options.rooms do
@@ -44,14 +48,20 @@ for _, sonar in ipairs(candidates.chosen(options.sonar, { "ideal", "real" }, "so
     local ce, low, high = meander.study.bootstrap_mean(figures.ce)
     local more, more_low, more_high = meander.study.compare(figures.ce, reference.ce)
     local as_table = name:find "^nn" and meander.study.mean(measured(name, true, sonar, lessons).ce) or nil
+    lines[#lines + 1] = json.encode({ experiment = "scan", preset = sonar, model = name, n = options.rooms, ce = ce, ce_low = low,
+      ce_high = high, brier = figures.brier, auc = figures.auc, more = more, more_low = more_low, more_high = more_high,
+      table_ce = as_table }, keys)
     if options.json then
-      print(json.encode({ experiment = "scan", preset = sonar, model = name, n = options.rooms, ce = ce, ce_low = low, ce_high = high,
-        brier = figures.brier, auc = figures.auc, more = more, more_low = more_low, more_high = more_high, table_ce = as_table },
-        { "experiment", "preset", "model", "n", "ce", "ce_low", "ce_high", "brier", "auc", "more", "more_low", "more_high", "table_ce" }))
+      print(lines[#lines])
     else
       print(("%-5s %-5s  CE %.3f (%.3f to %.3f)  Brier %.3f  AUC %.3f  against %s %+.3f (%+.3f to %+.3f)%s"):format(
         sonar, name, ce, low, high, figures.brier, figures.auc, options.against, more, more_low, more_high,
         as_table and ("  as a table %.3f"):format(as_table) or ""))
     end
   end
+end
+
+if options.out ~= "" then
+  local file <close> = assert(io.open(report.path(options, "sonar_model_scores.jsonl"), "w"))
+  file:write(table.concat(lines, "\n"), "\n")
 end

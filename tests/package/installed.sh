@@ -34,6 +34,9 @@ say "a world there and back through a picture"
 meander convert worlds/office.toml office.png >/dev/null
 meander convert office.png office.toml 2>/dev/null | grep -q '^world ' || fail "the picture was not read"
 
+say "weights that come with it"
+meander -e 'print(meander.mapping.model("nn4", { preset = "real" }))' | grep -q '^sonar_model: nn4' || fail "no weights"
+
 say "a file of one's own comes first"
 mkdir worlds
 meander -e 'meander.world.new { title = "mine" }:save "worlds/office.toml"'
