@@ -2,8 +2,15 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "planning/neural_tiles.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "planning/neural_solution.hpp"
 #include "planning/tile_queue.hpp"
@@ -22,6 +29,9 @@ class TileSolver {
     const double beta = options.steepness / (4 + 2 * std::numbers::sqrt2);
     const double root = std::sqrt(1 - options.steepness * options.steepness);
     const double omega = 1 + kShare * (1 - root) / (1 + root);
+    taken_.assign(map_.tile.size(), 0);
+    const int cores = tbb::info::default_concurrency();
+    arena_.initialize(options.threads > 0 ? std::min(options.threads, cores) : cores);
     step_.emplace(TileStep{map_, kernel, curves_, beta, omega});
   }
 
@@ -43,7 +53,7 @@ class TileSolver {
       const std::int32_t slot = map_.slot[static_cast<std::size_t>(map_.tile_of(target))];
       const int x = target.x % kTile, y = target.y % kTile;
       TileUnit& unit = map_.units[static_cast<std::size_t>(map_.unit_at(slot, x, y))];
-      unit.exponent = 0;
+      if (std::exchange(unit.exponent, 0) == TileUnit::kAsleep) ++awake_;
       unit.fresh = true;
       TileCurve& curve = curve_of(unit);
       curve.gain[y][x] = 0;
@@ -71,19 +81,56 @@ class TileSolver {
     if (std::max(key, queue_.turn()) < unit.key) unit.key = queue_.push(number, key);
   }
 
+  /// In rounds, so that the order does not depend on who does it: all units of a bucket, those of every second tile of
+  /// every second row together, because none of them sees another.
   void run(double threshold) {
-    std::vector<std::int32_t> bucket;
+    std::vector<std::int32_t> bucket, together;
     while (queue_.pop(bucket)) {
       work_.poll();
-      for (const std::int32_t number : bucket) {
-        TileUnit& unit = map_.units[static_cast<std::size_t>(number)];
-        if (unit.key != queue_.turn()) continue;  // it was taken up before
-        unit.key = std::numeric_limits<std::int32_t>::max();
-        TileOutcome outcome;
-        step_->relax(number, threshold, scratch_, outcome);
-        hear(outcome);
+      for (int colour = 0; colour < 4; ++colour) {
+        take_colour(bucket, colour, together);
+        relax_together(together, threshold);
       }
+      work_.report(std::min(1.0, static_cast<double>(awake_) / static_cast<double>(map_.units.size())), "neural map");
     }
+  }
+
+  /// Of units in the same tile only the first is taken, the others come with the next round.
+  void take_colour(const std::vector<std::int32_t>& bucket, int colour, std::vector<std::int32_t>& together) {
+    together.clear();
+    ++round_;
+    for (const std::int32_t number : bucket) {
+      TileUnit& unit = map_.units[static_cast<std::size_t>(number)];
+      const std::int32_t tile = map_.tile[static_cast<std::size_t>(unit.slot)];
+      if ((tile % map_.across % 2 + tile / map_.across % 2 * 2) != colour) continue;
+      if (unit.key != queue_.turn()) continue;  // it was taken up before
+      unit.key = std::numeric_limits<std::int32_t>::max();
+      if (std::exchange(taken_[static_cast<std::size_t>(unit.slot)], round_) == round_)
+        push(number, queue_.turn(), 0);
+      else
+        together.push_back(number);
+    }
+  }
+
+  void relax_together(const std::vector<std::int32_t>& units, double threshold) {
+    if (outcomes_.size() < units.size()) outcomes_.resize(units.size());
+    const auto relax = [&](std::size_t from, std::size_t to) {
+      TileScratch scratch;
+      for (std::size_t i = from; i < to; ++i) {
+        outcomes_[i].count = 0;
+        outcomes_[i].relaxations = 0;
+        step_->relax(units[i], threshold, scratch, outcomes_[i]);
+      }
+    };
+    constexpr std::size_t kWorthIt = 8;
+    if (options_.threads == 1 || units.size() < kWorthIt)
+      relax(0, units.size());
+    else
+      arena_.execute([&] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, units.size(), kWorthIt / 2),
+                          [&](const auto& range) { relax(range.begin(), range.end()); });
+      });
+    for (std::size_t i = 0; i < units.size(); ++i) hear(outcomes_[i]);
   }
 
   void hear(const TileOutcome& outcome) {
@@ -91,7 +138,7 @@ class TileSolver {
     for (int i = 0; i < outcome.count; ++i) {
       const TileNews& news = outcome.news[static_cast<std::size_t>(i)];
       TileUnit& unit = map_.units[static_cast<std::size_t>(news.unit)];
-      if (unit.exponent == TileUnit::kAsleep) unit.exponent = news.exponent;
+      if (unit.exponent == TileUnit::kAsleep) unit.exponent = news.exponent, ++awake_;
       if (news.steep) curve_of(unit);
       push(news.unit, news.key, news.sides);
     }
@@ -115,6 +162,7 @@ class TileSolver {
     const Grid<std::uint8_t>& blocked = problem_.blocked;
     PlanningResult result{.value = Grid<double>(blocked.width(), blocked.height(), kNoValue, blocked.frame)};
     for (const TileUnit& unit : map_.units) {
+      if (result.statistics.cells % 1024 == 0) work_.poll();
       if (unit.exponent == TileUnit::kAsleep) continue;
       const std::int32_t t = map_.tile[static_cast<std::size_t>(unit.slot)];
       const int left = (t % map_.across - 1) * kTile, low = (t / map_.across - 1) * kTile;
@@ -142,6 +190,11 @@ class TileSolver {
   std::optional<TileStep> step_;
   TileQueue queue_;
   TileScratch scratch_{};
+  std::vector<TileOutcome> outcomes_;
+  std::vector<std::int32_t> taken_;  ///< the round in which each slot was last worked on
+  std::int32_t round_ = 0;
+  std::size_t awake_ = 0;
+  tbb::task_arena arena_;
   std::int64_t relaxations_ = 0;
   double residual_ = 0;
 };

@@ -43,6 +43,28 @@ TEST(NeuralTiles, EveryKernelGivesTheSameBits) {
   }
 }
 
+TEST(NeuralTiles, AnyNumberOfThreadsGivesTheSameBits) {
+  std::vector<PlanningProblem> all = problems();
+  all.push_back(problem_on(rooms(400, 300, 25, 2150), 2151));
+  all.push_back(problem_on(open_floor(500, 300), 2152));
+  for (const PlanningProblem& problem : all) {
+    const TileKernel* kernel = tile_kernels().back();
+    const PlanningResult alone = solve_tiles(problem, {.threads = 1}, {}, kernel);
+    for (const int threads : {2, 3, 0}) expect_same_bits(alone, solve_tiles(problem, {.threads = threads}, {}, kernel));
+  }
+}
+
+TEST(NeuralTiles, ProgressIsTold) {
+  double last = 0;
+  Work work;
+  work.progress = [&](double fraction, std::string_view) {
+    EXPECT_LE(fraction, 1);
+    last = fraction;
+  };
+  solve_tiles(problem_on(open_floor(200, 200), 2153), {}, work);
+  EXPECT_EQ(last, 1);
+}
+
 TEST(NeuralTiles, MazesAndSteepActivationAreRightWithTilesToo) {
   for (const double steepness : {0.35, 0.68, 0.9})
     for (const PlanningProblem& problem : problems()) {

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+// Neural maps solved to 1e-6 in every unit. "dijkstra" is the named baseline in the same run: the distance transform of
+// the same map, 8-connected, with buckets. Times per reachable cell, set-up and landscape included.
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <ctime>
+#include <limits>
+
+#include "../tests/unit/planning_neural_maps.hpp"
+#include "planning/distance_transform.hpp"
+#include "planning/neural_replanner.hpp"
+#include "planning/neural_tiles.hpp"
+
+namespace meander {
+namespace {
+
+using namespace neural_maps;
+
+PlanningProblem problem(int kind, int size) {
+  PlanningProblem made{.blocked = {}, .targets = {{1, 1}}};
+  switch (kind) {
+    case 0:
+      made.blocked = open_floor(size, size);
+      break;
+    case 1:
+      made.blocked = clutter(size, size, 0.2, 7);
+      break;
+    case 2:
+      made.blocked = rooms(size, size, 25, 7);
+      break;
+    case 3:
+      made.blocked = perfect_maze(size | 1, size | 1, 7);
+      break;
+    case 4:
+      made.blocked = serpentine(size, size, 5);
+      break;
+    default:
+      made.blocked = open_floor(2 * size, size);
+  }
+  made.blocked[{1, 1}] = 0;
+  return made;
+}
+constexpr const char* kKinds[] = {"open", "clutter", "rooms", "maze", "serpentine", "open 2:1"};
+
+/// Least processor time of three runs [s].
+template <class F>
+double best_of_three(F run) {
+  double best = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const std::clock_t before = std::clock();
+    run();
+    best = std::min(best, static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
+  }
+  return best;
+}
+
+/// Arguments: kind, size, kernel (index of tile_kernels(), or -1: what solve_tiles chooses).
+void solve(benchmark::State& state) {
+  const PlanningProblem p = problem(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  const auto number = static_cast<std::size_t>(state.range(2));
+  const TileKernel* kernel = nullptr;
+  if (state.range(2) >= 0) {
+    if (number >= tile_kernels().size()) return state.SkipWithError("not on this processor");
+    kernel = tile_kernels()[number];
+  }
+  const double dijkstra = best_of_three([&] { benchmark::DoNotOptimize(distance_transform(p)); });
+  PlanningResult result;
+  double least = std::numeric_limits<double>::infinity();
+  for (auto _ : state) {
+    const std::clock_t before = std::clock();
+    result = solve_tiles(p, {}, {}, kernel);
+    least = std::min(least, static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
+  }
+  const auto cells = static_cast<double>(result.statistics.cells);
+  state.SetLabel(std::string(kKinds[state.range(0)]) + (kernel != nullptr ? std::string(" ") + kernel->name : ""));
+  state.counters["ns_per_cell"] = 1e9 * least / cells;
+  state.counters["dijkstra_ns"] = 1e9 * dijkstra / cells;
+  state.counters["x_dijkstra"] = least / dijkstra;
+  state.counters["updates"] = static_cast<double>(result.statistics.relaxations) / cells;
+  state.counters["residual"] = result.statistics.residual;
+}
+BENCHMARK(solve)
+    ->ArgsProduct({{0, 1, 2, 3, 4}, {200, 1000}, {-1}})
+    ->Args({5, 500, -1})
+    ->ArgsProduct({{0, 1, 2}, {1000}, {1, 2, 3}})
+    ->Iterations(3)
+    ->Unit(benchmark::kMillisecond);
+
+/// Wall time of one and two threads.
+void threads(benchmark::State& state) {
+  const PlanningProblem p = problem(2, static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(solve_tiles(p, {.threads = static_cast<int>(state.range(1))}));
+}
+BENCHMARK(threads)->ArgsProduct({{1000, 4096}, {1, 2}})->Iterations(1)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// A block of 5 x 5 cells added or removed on a map of rooms, 500 x 500: updates relative to a solve from scratch.
+void edits(benchmark::State& state) {
+  NeuralReplanner replanner(problem(2, 500));
+  const auto scratch = static_cast<double>(replanner.last_relaxations());
+  Stream random(2500, "edits");
+  double updates = 0;
+  for (auto _ : state) {
+    std::vector<CellEdit> block;
+    const Cell corner{random.below(490) + 4, random.below(490) + 4};
+    const bool blocked = random.chance(0.5);
+    for (int i = 0; i < 25; ++i) block.push_back({{corner.x + i % 5, corner.y + i / 5}, blocked});
+    replanner.edit(block);
+    updates += static_cast<double>(replanner.last_relaxations());
+  }
+  state.counters["share_of_solve"] = updates / scratch / static_cast<double>(state.iterations());
+}
+BENCHMARK(edits)->Iterations(1000)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace meander
+
+BENCHMARK_MAIN();
