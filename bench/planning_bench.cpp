@@ -88,6 +88,37 @@ BENCHMARK(solve)
     ->Iterations(3)
     ->Unit(benchmark::kMillisecond);
 
+/// Cells that can be reached and have no neighbour of more activation, counted from the landscape; and how many can.
+void dead_units(benchmark::State& state) {
+  const PlanningProblem p = problem(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  PlanningResult result;
+  for (auto _ : state) result = solve_tiles(p, {});
+  const Grid<std::uint8_t> reachable = reachable_cells(p);
+  double dead = 0, lowest = 0;
+  for (int y = 0; y < reachable.height(); ++y)
+    for (int x = 0; x < reachable.width(); ++x) {
+      if (reachable[{x, y}] == 0 || result.value[{x, y}] == 0) continue;
+      bool higher = false;
+      for (const LatticeStep& step : lattice_steps(p.lattice))
+        higher = higher || (open_step(p.blocked, p.corners, {x, y}, step) &&
+                            result.value[{x + step.dx, y + step.dy}] > result.value[{x, y}]);
+      if (!higher) ++dead;
+      lowest = std::min(lowest, result.value[{x, y}]);
+    }
+  state.SetLabel(kKinds[state.range(0)]);
+  state.counters["dead"] = dead;
+  state.counters["cells"] = static_cast<double>(result.statistics.cells);
+  state.counters["lowest_ln_v"] = lowest;
+  state.counters["residual"] = result.statistics.residual;
+}
+BENCHMARK(dead_units)
+    ->Args({5, 500})
+    ->Args({3, 2001})
+    ->Args({4, 1000})
+    ->Args({2, 4096})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+
 /// Wall time of one and two threads.
 void threads(benchmark::State& state) {
   const PlanningProblem p = problem(2, static_cast<int>(state.range(0)));

@@ -172,8 +172,13 @@ class TileSolver {
         if (unit.rows[static_cast<std::size_t>(y)] == 0) continue;
         double* row = &result.value[{left, low + y}];
         for (int x = 0; x < kTile; ++x)
-          if ((unit.rows[static_cast<std::size_t>(y)] >> x & 1) != 0)
+          if ((unit.rows[static_cast<std::size_t>(y)] >> x & 1) == 0) {
+            continue;
+          } else if (cells[y * kTile + x] > 0) {
             row[x] = natural_log(cells[y * kTile + x]) + offset;
+          } else {
+            ++result.statistics.dead_units;
+          }
       }
       result.statistics.cells += unit.size;
     }
