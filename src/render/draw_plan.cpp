@@ -10,7 +10,7 @@
 namespace meander {
 namespace {
 
-constexpr int kContours = 10;
+constexpr int kContours = 10, kShades = 40;
 
 DrawList empty_picture(const GridFrame& frame, int width, int height, const Theme& theme) {
   DrawList list;
@@ -35,6 +35,8 @@ class Landscape {
   double value(Cell square) const { return plan_.result.value.at(unit(square), kNoValue); }
   /// 0 farthest from the targets, 1 at them.
   double height(double value) const { return lowest_ < 0 ? 1 - value / lowest_ : 1; }
+  /// The same in few steps: cells of one colour become one piece of an SVG.
+  double shade(double value) const { return std::round(height(value) * kShades) / kShades; }
   int band(Cell square) const {
     const double v = value(square);
     return v == kNoValue ? -1 : static_cast<int>(height(v) * kContours);
@@ -62,7 +64,7 @@ void draw_landscape(DrawList& list, const Plan& plan, const Theme& theme) {
   for (int y = 0; y < solid.height(); ++y)
     for (int x = 0; x < solid.width(); ++x) {
       const double value = landscape.value({x, y});
-      const Color ground = value == kNoValue ? theme.floor : mixed(theme.floor, theme.light, landscape.height(value));
+      const Color ground = value == kNoValue ? theme.floor : mixed(theme.floor, theme.light, landscape.shade(value));
       if (solid[{x, y}] != 0)
         add(theme.wall, Mark::wall);
       else if (plan.problem.blocked.at(landscape.unit({x, y}), 1) != 0)
