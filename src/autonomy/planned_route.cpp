@@ -35,12 +35,15 @@ class PlannedRoute {
     return known;
   }
 
-  /// With the margin, or without it.
+  /// With the margin, or without it; at last with no trap but the latest, for it may have been something that moved.
   bool plan(const Vec2& at) {
     version_ = map_->version;
-    for (const double margin : {options_.margin, 0.0})
-      if (plan_with(known(), at, margin)) return true;
-    return false;
+    while (true) {
+      for (const double margin : {options_.margin, 0.0})
+        if (plan_with(known(), at, margin)) return true;
+      if (traps_.size() < 2) return false;
+      traps_.erase(traps_.begin(), traps_.end() - 1);
+    }
   }
 
   bool plan_with(const PlanningMap& map, const Vec2& at, double margin) {
@@ -135,8 +138,8 @@ class PlannedRoute {
   /// [LM99+] The map shows a way where the navigator found none: a square just ahead of where it came nearest to the
   /// subgoal is taken as blocked from now on.
   bool escape(const Vec2& at, const std::string& why) {
-    if (static_cast<int>(traps_.size()) >= options_.replans) {
-      reason_ = fmt::format("trapped, after {} new paths{}{}", traps_.size(), why.empty() ? "" : ": ", why);
+    if (trapped_++ >= options_.replans) {
+      reason_ = fmt::format("trapped, after {} new paths{}{}", options_.replans, why.empty() ? "" : ": ", why);
       return false;
     }
     const Vec2 way = path_[now_] - nearest_;
@@ -167,6 +170,7 @@ class PlannedRoute {
   std::size_t now_ = 0;  ///< the path's point that is the subgoal
   std::uint64_t version_ = 0;
   std::vector<Box> traps_;
+  int trapped_ = 0;  ///< how often
   bool asked_ = false;
   Vec2 before_{0, 0}, nearest_{0, 0};
   double driven_ = 0, allowed_ = 0;  ///< for this subgoal [m]
