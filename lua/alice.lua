@@ -61,7 +61,7 @@ function alice.trials(options, trial)
 end
 
 --- One line of a study: fixed words first, then the means of figures over the trials with their intervals. `names` lists
---- the figures; trials without one do not count for it.
+--- the figures; trials without one do not count for it, and a figure of no trial is no number (null in JSON).
 function alice.line(words, trials, names)
   local line, keys = {}, {}
   local function put(key, value)
@@ -72,7 +72,9 @@ function alice.line(words, trials, names)
   for _, name in ipairs(names) do
     local values = {}
     for _, trial in ipairs(trials) do values[#values + 1] = trial[name] end
-    if #values > 0 then
+    if #values == 0 then
+      put(name, 0 / 0)
+    else
       local mean, low, high = meander.study.bootstrap_mean(values)
       put(name, candidates.rounded(mean, 4))
       put(name .. "_low", candidates.rounded(low, 4))
@@ -89,7 +91,7 @@ function alice.print(options, words, trials, names)
   local text = {}
   for _, word in ipairs(words) do text[#text + 1] = word[1] .. " " .. tostring(word[2]) end
   for _, name in ipairs(names) do
-    if line[name] then
+    if line[name .. "_low"] then
       text[#text + 1] = ("%s %.4g (%.4g, %.4g)"):format(name, line[name], line[name .. "_low"], line[name .. "_high"])
     end
   end

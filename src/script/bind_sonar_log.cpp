@@ -66,15 +66,15 @@ std::string text(const SonarLog& log) {
 
 void bind_sonar_log(lua_State* L) {
   Module(L, "meander.study", "")
-      .function<&read>(
-          Doc{.name = "sonar_log",
-              .text = "Reads recorded scans with poses: a table (.csv, such as run:save writes) or a log of CARMEN "
-                      "(.log, .clf, .carmen).",
-              .args = {{"path", "a file with the suffix .csv, .log, .clf or .carmen"},
-                       {"options", "what becomes of records that cannot be right"}},
-              .returns = "the log: log[i] is an observation, #log their number",
-              .errors = "a file that is no log; with bad = 'refuse' the first record that cannot be right",
-              .example = EXAMPLE_LOG "print(l, l[2].pose)"});
+      .function<&read>(Doc{
+          .name = "sonar_log",
+          .text = "Reads recorded scans with poses: a table (.csv, such as run:save writes; with contacts and light "
+                  "where it has them) or a log of CARMEN (.log, .clf, .carmen).",
+          .args = {{"path", "a file with the suffix .csv, .log, .clf or .carmen"},
+                   {"options", "what becomes of records that cannot be right"}},
+          .returns = "the log: log[i] is an observation, #log their number",
+          .errors = "a file that is no log; with bad = 'refuse' the first record that cannot be right",
+          .example = EXAMPLE_LOG "print(l, l[2].pose)"});
   Type<SonarLog>(L, "Recorded scans of a robot: log[i] is an observation, #log their number.")
       .property<&report>(PropertyDoc{.name = "report",
                                      .text = "What was met in the file: table of counts.",

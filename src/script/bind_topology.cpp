@@ -39,7 +39,7 @@ struct PlaceTable {
   int number = 0;
   std::string serial;
   Vec2 position{0, 0};
-  double born = 0, hits = 0;
+  std::uint64_t born = 0, hits = 0;
   int links = 0;
 };
 template <class Options, class Visitor>
@@ -98,7 +98,7 @@ std::vector<PlaceTable> places(const TopologicMap& map) {
   for (int cell = 0; cell < cells.slots(); ++cell)
     if (cells[cell].alive())
       all.push_back({cell + 1, fmt::format("{}", cells[cell].serial), cells[cell].position,
-                     static_cast<double>(cells[cell].born), static_cast<double>(cells[cell].hits),
+                     static_cast<std::uint64_t>(cells[cell].born), static_cast<std::uint64_t>(cells[cell].hits),
                      static_cast<int>(cells[cell].links.size())});
   return all;
 }
@@ -135,7 +135,7 @@ std::optional<std::vector<int>> way(const TopologicMap& map, int from, int to,
 std::optional<int> winner(const TopologicMap& map) {
   return map.net().winner() < 0 ? std::nullopt : std::optional(map.net().winner() + 1);
 }
-double samples(const TopologicMap& map) { return static_cast<double>(map.samples()); }
+std::uint64_t samples(const TopologicMap& map) { return static_cast<std::uint64_t>(map.samples()); }
 DrawList picture(const TopologicMap& map) { return draw_topology(map); }
 DrawList over(const TopologicMap& map, const World& world) {
   DrawList list = draw_world(world);

@@ -23,6 +23,8 @@ struct RunStep {
   bool touching = false;
   NavigatorStatus status = NavigatorStatus::driving;
   std::vector<float> sonar;
+  std::vector<std::uint8_t> whisker;  ///< empty for robots without
+  std::vector<double> light;          ///< empty for robots without; exact, so that a map can be made from it again
 };
 
 /// How a drive went. The keys of its JSON line bear these names.

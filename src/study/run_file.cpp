@@ -85,16 +85,27 @@ Json summary(const Run& run) {
 }
 
 Json json_of(const RunStep& step) {
-  return {{"t", step.time},
-          {"pose", json_of(step.pose_world)},
-          {"odometry", json_of(step.odometry)},
-          {"command", {step.command.v, step.command.w}},
-          {"v", step.v},
-          {"w", step.w},
-          {"clearance", step.clearance},
-          {"touching", step.touching},
-          {"status", to_string(step.status)},
-          {"sonar", step.sonar}};
+  Json object{{"t", step.time},
+              {"pose", json_of(step.pose_world)},
+              {"odometry", json_of(step.odometry)},
+              {"command", {step.command.v, step.command.w}},
+              {"v", step.v},
+              {"w", step.w},
+              {"clearance", step.clearance},
+              {"touching", step.touching},
+              {"status", to_string(step.status)},
+              {"sonar", step.sonar}};
+  if (!step.whisker.empty()) object["whisker"] = step.whisker;
+  if (!step.light.empty()) object["light"] = step.light;
+  return object;
+}
+
+void add_columns(std::string& head, const char* name, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) head += fmt::format(",{}_{}", name, i);
+}
+template <class Values>
+void add_values(std::string& row, const Values& values) {
+  for (const auto value : values) fmt::format_to(std::back_inserter(row), ",{}", value);
 }
 
 /// Text that is no UTF-8 must not keep a run from being saved.
@@ -114,14 +125,18 @@ void save_jsonl(const Run& run, const std::string& path) {
 void save_csv(const Run& run, const std::string& path) {
   std::string text =
       "time,x,y,heading,odometry_x,odometry_y,odometry_heading,command_v,command_w,v,w,clearance,touching,status";
-  const std::size_t sonars = run.steps.empty() ? 0 : run.steps.front().sonar.size();
-  for (std::size_t i = 0; i < sonars; ++i) text += fmt::format(",sonar_{}", i);
+  const RunStep first = run.steps.empty() ? RunStep{} : run.steps.front();
+  add_columns(text, "sonar", first.sonar.size());
+  add_columns(text, "whisker", first.whisker.size());
+  add_columns(text, "light", first.light.size());
   text += '\n';
   for (const RunStep& s : run.steps) {
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}", s.time, s.pose_world.x,
                    s.pose_world.y, s.pose_world.heading, s.odometry.x, s.odometry.y, s.odometry.heading, s.command.v,
                    s.command.w, s.v, s.w, s.clearance, int{s.touching}, to_string(s.status));
-    for (const float range : s.sonar) fmt::format_to(std::back_inserter(text), ",{}", range);
+    add_values(text, s.sonar);
+    add_values(text, s.whisker);
+    add_values(text, s.light);
     text += '\n';
   }
   write_file_atomically(path, text);

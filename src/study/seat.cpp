@@ -92,7 +92,9 @@ RunStep Seat::run_step(const Sim& sim, const RobotState& state) const {
           .clearance = state.clearance,
           .touching = state.touching,
           .status = last_.status,
-          .sonar = {sonar.begin(), sonar.end()}};
+          .sonar = {sonar.begin(), sonar.end()},
+          .whisker = observation.readings.whisker,
+          .light = observation.readings.light};
 }
 
 }  // namespace meander

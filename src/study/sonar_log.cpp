@@ -29,12 +29,14 @@ std::vector<std::string_view> split(std::string_view line) {
 
 struct Columns {
   std::size_t count = 0, time = 0, x = 0, y = 0, heading = 0;
-  std::vector<std::size_t> ranges;
+  std::vector<std::size_t> ranges, whiskers, lights;
 };
 
-/// The number in "sonar_7", "s7" or "S7".
-std::optional<int> sonar_number(std::string_view name) {
-  for (const std::string_view before : {"sonar_", "sonar", "s", "S"}) {
+using Prefixes = std::initializer_list<std::string_view>;
+
+/// The number in a name like "sonar_7" or "s7".
+std::optional<int> number_behind(Prefixes prefixes, std::string_view name) {
+  for (const std::string_view before : prefixes) {
     if (!name.starts_with(before)) continue;
     int number = 0;
     const std::string_view digits = name.substr(before.size());
@@ -42,6 +44,16 @@ std::optional<int> sonar_number(std::string_view name) {
     if (error == std::errc() && end == digits.data() + digits.size()) return number;
   }
   return std::nullopt;
+}
+
+/// The columns of a ring in the order of their numbers.
+std::vector<std::size_t> ring_columns(const std::vector<std::string_view>& names, Prefixes prefixes) {
+  std::map<int, std::size_t> by_number;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (const auto number = number_behind(prefixes, names[i])) by_number[*number] = i;
+  std::vector<std::size_t> columns;
+  for (const auto& [number, at] : by_number) columns.push_back(at);
+  return columns;
 }
 
 Columns columns_of(std::string_view head, const std::string& name) {
@@ -53,15 +65,15 @@ Columns columns_of(std::string_view head, const std::string& name) {
     fail<FileError>("{}:1: no column '{}' in the head line '{}'", name, *wanted.begin(), printable(head));
   };
   const bool odometry = std::find(names.begin(), names.end(), "odometry_x") != names.end();
-  Columns columns{names.size(), find({"time"}), 0, 0, 0, {}};
+  Columns columns{names.size(), find({"time"}), 0, 0, 0, {}, {}, {}};
   columns.x = odometry ? find({"odometry_x"}) : find({"x"});
   columns.y = odometry ? find({"odometry_y"}) : find({"y"});
   columns.heading = odometry ? find({"odometry_heading"}) : find({"heading", "theta"});
-  std::map<int, std::size_t> by_number;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (const auto number = sonar_number(names[i])) by_number[*number] = i;
-  for (const auto& [number, at] : by_number) columns.ranges.push_back(at);
-  if (columns.ranges.empty()) fail<FileError>("{}:1: no columns 'sonar_0', 'sonar_1', ... in the head line", name);
+  columns.ranges = ring_columns(names, {"sonar_", "sonar", "s", "S"});
+  columns.whiskers = ring_columns(names, {"whisker_"});
+  columns.lights = ring_columns(names, {"light_"});
+  if (columns.ranges.empty() && columns.whiskers.empty() && columns.lights.empty())
+    fail<FileError>("{}:1: no columns 'sonar_0', 'sonar_1', ... in the head line", name);
   return columns;
 }
 
@@ -77,6 +89,9 @@ std::optional<std::vector<double>> numbers_at(const std::vector<std::string_view
     if (!take(at) || !std::isfinite(numbers.back())) return std::nullopt;
   for (const std::size_t at : columns.ranges)
     if (!take(at)) return std::nullopt;
+  for (const auto* ring : {&columns.whiskers, &columns.lights})
+    for (const std::size_t at : *ring)
+      if (!take(at) || !std::isfinite(numbers.back())) return std::nullopt;
   return numbers;
 }
 
@@ -110,8 +125,11 @@ SonarLog sonar_log_from_csv(const std::string& text, const std::string& name, co
     scan.time = time;
     scan.period = log.scans.empty() ? 0 : time - log.scans.back().time;
     scan.odometry.pose = {(*numbers)[1], (*numbers)[2], wrap_angle((*numbers)[3])};
-    for (std::size_t i = 4; i < numbers->size(); ++i)
-      scan.readings.sonar.push_back(checked_range((*numbers)[i], lines.number(), options, bad, log.report));
+    auto next = numbers->begin() + 4;
+    for (std::size_t i = 0; i < columns.ranges.size(); ++i)
+      scan.readings.sonar.push_back(checked_range(*next++, lines.number(), options, bad, log.report));
+    for (std::size_t i = 0; i < columns.whiskers.size(); ++i) scan.readings.whisker.push_back(*next++ != 0);
+    scan.readings.light.assign(next, numbers->end());
     scan.readings.sonar_pose.assign(scan.readings.sonar.size(), scan.odometry.pose);
     log.scans.push_back(std::move(scan));
   }

@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "topology/map_text.hpp"
 
+#include <concepts>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "base/hash.hpp"
@@ -14,6 +16,7 @@ namespace {
 constexpr const char* kTitle = "meander topologic map";
 constexpr int kFormat = 1;
 constexpr int kMostCells = 10'000'000;
+constexpr std::size_t kMostSenses = 100'000'000;  ///< of all cells: 400 MB
 constexpr std::int64_t kMostSamples = std::int64_t{1} << 53;
 
 using Out = std::back_insert_iterator<std::string>;
@@ -39,7 +42,10 @@ bool read_option(const TextLines& lines, Options& options, std::string_view name
       if (name.size() > own.size() && name.starts_with(own) && name[own.size()] == '.')
         found = read_option(lines, value, name.substr(own.size() + 1)) || found;
     } else if (name == own) {
-      value = static_cast<T>(lines.number(2));
+      if constexpr (std::integral<T>)
+        value = lines.integer<T>(2, 0, std::numeric_limits<T>::max());
+      else
+        value = lines.number(2);
       found = true;
     }
   });
@@ -103,6 +109,7 @@ struct PoolState {
     lines.count(3, "cells COUNT SERIALS");
     const int slots = lines.integer(1, 0, kMostCells);
     pool.serials_ = lines.integer<std::uint64_t>(2, 0, std::uint64_t{1} << 62);
+    if (static_cast<std::size_t>(slots) * pool.stride_ > kMostSenses) lines.wrong("{} cells are too many", slots);
     pool.cells_.resize(static_cast<std::size_t>(slots));
     pool.senses_.resize(static_cast<std::size_t>(slots) * pool.stride_);
     while (lines.next() && lines.is("cell")) read_cell(lines, pool);
@@ -234,7 +241,11 @@ TopologicMap read_map_text(std::string_view text, const std::string& path) {
     lines.count(3, "option NAME NUMBER");
     if (!read_option(lines, options, lines.words()[1])) lines.wrong("unknown option '{}'", lines.shown(1));
   }
-  validate(options);
+  try {
+    validate(options);
+  } catch (const ArgumentError& e) {
+    fail<FileError>("{}: {}", path, e.what());
+  }
   if (!lines.is("suite")) lines.wrong("'suite WHISKERS LIGHTS RADIUS REACH' expected");
   lines.count(5, "suite WHISKERS LIGHTS RADIUS REACH");
   const SenseSuite suite{lines.integer(1, 1, 1024), lines.integer(2, 0, 1024), lines.number(3), lines.number(4)};

@@ -9,12 +9,16 @@ namespace meander::topology {
 namespace {
 
 constexpr std::size_t kFirstSize = 64;
+constexpr double kFarthest = 1e15;  ///< buckets beyond this (and what is no number) are one with the first
 
 }  // namespace
 
 PlaceIndex::PlaceIndex(double side) : side_(side), table_(kFirstSize) {}
 
-std::int64_t PlaceIndex::bucket(double metres) const { return static_cast<std::int64_t>(std::floor(metres / side_)); }
+std::int64_t PlaceIndex::bucket(double metres) const {
+  const double number = std::floor(metres / side_);
+  return std::abs(number) < kFarthest ? static_cast<std::int64_t>(number) : 0;
+}
 
 std::size_t PlaceIndex::slot(std::uint64_t key) const {
   std::uint64_t mixed = key * 0x9e3779b97f4a7c15ULL;

@@ -22,13 +22,18 @@ class PlaceIndex {
   void move(int cell, const Vec2& at);
   void clear();
 
-  /// Calls visit(cell) for every cell in the buckets that the square of half side `reach` around the place touches.
+  /// Calls visit(cell) for every cell in the buckets that the square of half side `reach` around the place touches, and
+  /// for others when those are more buckets than the table has.
   template <class Visit>
   void around(const Vec2& at, double reach, Visit visit) const {
-    const std::int64_t x1 = bucket(at.x() + reach), y1 = bucket(at.y() + reach);
-    for (std::int64_t y = bucket(at.y() - reach); y <= y1; ++y)
-      for (std::int64_t x = bucket(at.x() - reach); x <= x1; ++x)
-        for (int cell = head(key(x, y)); cell >= 0; cell = links_[static_cast<std::size_t>(cell)].next) visit(cell);
+    const std::int64_t x0 = bucket(at.x() - reach), x1 = bucket(at.x() + reach);
+    const std::int64_t y0 = bucket(at.y() - reach), y1 = bucket(at.y() + reach);
+    if (static_cast<double>(x1 - x0 + 1) * static_cast<double>(y1 - y0 + 1) > static_cast<double>(table_.size())) {
+      for (const Bucket& every : table_) visit_list(every.head, visit);
+      return;
+    }
+    for (std::int64_t y = y0; y <= y1; ++y)
+      for (std::int64_t x = x0; x <= x1; ++x) visit_list(head(key(x, y)), visit);
   }
 
  private:
@@ -46,6 +51,10 @@ class PlaceIndex {
   /// Places repeat after 2^32 buckets.
   static std::uint64_t key(std::int64_t x, std::int64_t y) {
     return (static_cast<std::uint64_t>(x) & 0xffffffffULL) << 32 | (static_cast<std::uint64_t>(y) & 0xffffffffULL);
+  }
+  template <class Visit>
+  void visit_list(int cell, Visit& visit) const {
+    for (; cell >= 0; cell = links_[static_cast<std::size_t>(cell)].next) visit(cell);
   }
   std::size_t slot(std::uint64_t key) const;
   int head(std::uint64_t key) const { return table_[slot(key)].head; }

@@ -48,12 +48,15 @@ bool WhiskerContacts::free(double bearing, double half_width) const {
 
 bool WhiskerContacts::nearest_free(double wanted, double half_width, double most, double& found) const {
   // Where walls are near on all sides, less room must do.
-  for (double room = half_width; room > 0.5 * pitch_; room *= 0.5)
+  double room = half_width;
+  do {
     for (int step = 0; step * pitch_ <= most; ++step)
       for (const int side : {1, -1}) {
         found = wrap_angle(wanted + side * step * pitch_);
         if (free(found, room)) return true;
       }
+    room *= 0.5;
+  } while (room > 0.5 * pitch_);
   return false;
 }
 

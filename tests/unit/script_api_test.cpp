@@ -123,9 +123,10 @@ TEST_F(Api, HelpOfAFunctionTellsOptionsUnitsAndValues) {
        {"world", "must be given", "'nomad200'", "seed of all random streams", "[m, rad]", "fails on", "example"})
     EXPECT_NE(written_.find(part), std::string::npos) << part << "\n" << written_;
   // The bumper's defaults are those of the platform; tables under `robots` are not told again.
-  for (const char* part : {"20 when left out", "0.2667 when left out", "; robot, sonar, drift, start as above"})
+  for (const char* part :
+       {"20 when left out", "0.2667 when left out", "; robot, sonar, drift, whisker, light, start as above"})
     EXPECT_NE(written_.find(part), std::string::npos) << part << "\n" << written_;
-  EXPECT_LT(std::count(written_.begin(), written_.end(), '\n'), 70);
+  EXPECT_LT(std::count(written_.begin(), written_.end(), '\n'), 90);
   written_.clear();
   run("apropos 'noise'");
   for (const char* part : {"meander.sim.new { options }", "\n      drift.distance_noise  ", "\n      sonar.noise  "})

@@ -38,7 +38,7 @@ TEST_F(Members, ListsOfNamesAreWhatTheOptionsTake) {
                 "end"),
             "");
   EXPECT_EQ(run("return #meander.autonomy.navigators() > 0, #meander.robot.platforms(), #meander.sensor.sonars()"),
-            "true 2 3");
+            "true 3 3");
 }
 
 TEST_F(Members, ARayMeetsTheWallThatStandsThere) {

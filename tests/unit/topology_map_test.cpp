@@ -12,6 +12,10 @@
 #include "topology/route.hpp"
 #include "topology/trail.hpp"
 
+namespace meander {
+std::size_t allocations();  // allocation_counter.cpp
+}
+
 namespace meander::topology {
 namespace {
 
@@ -107,6 +111,31 @@ TEST(TopologicMap, FollowingLearnsNothingAndLinksNothingAfterwards) {
     for (const Link& link : map.net().cells()[cell].links)
       EXPECT_LT((map.net().cells()[cell].position - map.net().cells()[link.to].position).norm(),
                 1.2);  // two cells' reach and what they moved
+}
+
+/// How much the cells and links of a map have room for.
+std::size_t room_of(const CellPool& cells) {
+  auto room = static_cast<std::size_t>(cells.slots());
+  for (int cell = 0; cell < cells.slots(); ++cell) room += cells[cell].links.capacity();
+  return room;
+}
+
+TEST(TopologicMap, AllocatesOnlyForNewCellsAndLinks) {
+  TopologicMap map = fresh_map();
+  RoundRoom walk(8);
+  for (int i = 0; i < 5000; ++i) map.step(walk.next());
+  int grown = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Observation& seen = walk.next();
+    const std::size_t room = room_of(map.net().cells()), before = allocations();
+    map.step(seen);
+    const std::size_t allocated = allocations() - before;
+    if (room_of(map.net().cells()) == room)
+      EXPECT_EQ(allocated, 0u) << i;
+    else
+      ++grown;
+  }
+  EXPECT_LT(grown, 60);
 }
 
 TEST(TopologicMap, RefusesOtherRings) {
