@@ -10,6 +10,7 @@
 
 #include "../tests/unit/planning_neural_maps.hpp"
 #include "planning/distance_transform.hpp"
+#include "planning/neural_map.hpp"
 #include "planning/neural_replanner.hpp"
 #include "planning/neural_tiles.hpp"
 
@@ -87,6 +88,18 @@ BENCHMARK(solve)
     ->ArgsProduct({{0, 1, 2}, {1000}, {1, 2, 3}})
     ->Iterations(3)
     ->Unit(benchmark::kMillisecond);
+
+/// Updates per cell of every solver, 200 x 200.
+void solvers(benchmark::State& state) {
+  const PlanningProblem p = problem(static_cast<int>(state.range(0)), 200);
+  const auto solver = static_cast<NeuralSolver>(state.range(1));
+  PlanningResult result;
+  for (auto _ : state) result = neural_map(p, {.solver = solver});
+  state.SetLabel(std::string(kKinds[state.range(0)]) + " " + to_string(solver));
+  state.counters["updates"] =
+      static_cast<double>(result.statistics.relaxations) / static_cast<double>(result.statistics.cells);
+}
+BENCHMARK(solvers)->ArgsProduct({{0, 1, 2, 3}, {1, 2}})->Iterations(1)->Unit(benchmark::kMillisecond);
 
 /// Cells that can be reached and have no neighbour of more activation, counted from the landscape; and how many can.
 void dead_units(benchmark::State& state) {

@@ -37,7 +37,8 @@ class TileSolver {
 
   PlanningResult solve() {
     wake_targets();
-    double threshold = options_.tolerance / 2;
+    double threshold =
+        options_.tolerance / 20;  // a direction is wrong where two neighbours differ by less than the error
     do {
       run(threshold);
       threshold /= 2;

@@ -16,6 +16,7 @@ constexpr std::int32_t kBlock = 512;  ///< exponents are multiples of this
 constexpr double kHigh = 0x1p440, kLow = 0x1p-100;
 constexpr double kBend = 2e-4;  ///< below, tanh(u) = u to within 2e-8 of itself
 constexpr int kPatience = 4;    ///< bits of -log2 v that a bit of -log2 of a change is worth
+constexpr int kCoarse = 3;      ///< units that are within 2^3 bits come together
 constexpr std::uint8_t kAllSides = 0xf;
 constexpr double kRootHalf = std::numbers::sqrt2 / 2;
 
@@ -99,7 +100,7 @@ int bits_of(double x) { return static_cast<int>(std::bit_cast<std::uint64_t>(x) 
 /// Large activation first; small corrections wait, so that several become one. [LM99+] In the order of activation
 /// alone a unit would be taken up three times as often.
 std::int32_t urgency(std::int32_t exponent, double value, int change_bits) {
-  return -(exponent + bits_of(value)) - kPatience * change_bits;
+  return (-(exponent + bits_of(value)) - kPatience * change_bits) >> kCoarse;
 }
 
 /// 2^(512 blocks) for neighbours whose block is other than ours.
