@@ -4,7 +4,7 @@
 // the same map, 8-connected, with buckets. Times per reachable cell, set-up and landscape included.
 #include <benchmark/benchmark.h>
 
-#include <chrono>
+#include <cmath>
 #include <ctime>
 #include <limits>
 
@@ -138,6 +138,32 @@ void threads(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(solve_tiles(p, {.threads = static_cast<int>(state.range(1))}));
 }
 BENCHMARK(threads)->ArgsProduct({{1000, 4096}, {1, 2}})->Iterations(1)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// After each random edit the landscape against one from scratch: the largest difference of what two neighbours differ
+/// by, and cells that only one of them reaches.
+void edits_exact(benchmark::State& state) {
+  NeuralReplanner replanner(problem(2, 500));
+  Stream random(2501, "edits");
+  double worst = 0, unlike = 0;
+  for (auto _ : state) {
+    std::vector<CellEdit> block;
+    const Cell corner{random.below(490) + 4, random.below(490) + 4};
+    const bool blocked = random.chance(0.5), door = random.chance(0.3);
+    for (int i = 0; i < (door ? 2 : 25); ++i) block.push_back({{corner.x + i % 5, corner.y + i / 5}, blocked});
+    replanner.edit(block);
+    const Grid<double> a = replanner.landscape().value;
+    const Grid<double> b = neural_map(replanner.problem(), {.solver = NeuralSolver::active_list}).value;
+    for (std::size_t i = 1; i < a.cells().size(); ++i) {
+      if ((a.cells()[i] == kNoValue) != (b.cells()[i] == kNoValue)) ++unlike;
+      if (a.cells()[i] == kNoValue || a.cells()[i - 1] == kNoValue) continue;
+      const double step = a.cells()[i] - a.cells()[i - 1];
+      if (std::abs(step) < 3) worst = std::max(worst, std::abs(step - (b.cells()[i] - b.cells()[i - 1])));
+    }
+  }
+  state.counters["worst"] = worst;
+  state.counters["unlike"] = unlike;
+}
+BENCHMARK(edits_exact)->Iterations(1000)->Unit(benchmark::kMillisecond);
 
 /// A block of 5 x 5 cells added or removed on a map of rooms, 500 x 500: updates relative to a solve from scratch.
 void edits(benchmark::State& state) {
