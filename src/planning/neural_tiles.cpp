@@ -163,7 +163,7 @@ class TileSolver {
     const Grid<std::uint8_t>& blocked = problem_.blocked;
     PlanningResult result{.value = Grid<double>(blocked.width(), blocked.height(), kNoValue, blocked.frame)};
     for (const TileUnit& unit : map_.units) {
-      if (result.statistics.cells % 1024 == 0) work_.poll();
+      if (unit.slot % 64 == 0) work_.poll();
       if (unit.exponent == TileUnit::kAsleep) continue;
       const std::int32_t t = map_.tile[static_cast<std::size_t>(unit.slot)];
       const int left = (t % map_.across - 1) * kTile, low = (t / map_.across - 1) * kTile;
