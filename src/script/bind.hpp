@@ -27,6 +27,7 @@ void bind_polar(lua_State* L);
 void bind_study(lua_State* L);
 void bind_planning_map(lua_State* L);
 void bind_plan(lua_State* L);
+void bind_replanner(lua_State* L);
 void bind_planned_route(lua_State* L);
 void bind_mapping_map(lua_State* L);
 void bind_mapping_model(lua_State* L);

@@ -4,11 +4,10 @@
 
 #include "render/draw_plan.hpp"
 #include "script/bind.hpp"
-#include "script/control_options.hpp"
 #include "script/kit_module.hpp"
 #include "script/kit_type.hpp"
 #include "script/picture.hpp"
-#include "script/planning_objects.hpp"
+#include "script/plan_table.hpp"
 
 /// A plan `p` from one end of a room to the other.
 #define EXAMPLE_PLAN                                                                                                \
@@ -16,34 +15,6 @@
   "{1, 1}, target = {7, 3} } "
 
 namespace meander::script {
-
-struct PlanTable {
-  MapSourceTable source;
-  std::optional<Vec2> start;
-  std::optional<SubgoalOption> target;
-  std::vector<SubgoalOption> targets;
-  std::string planner = "neural_map";
-  PathKind path = PathKind::gradient;
-  double robot_radius = 0;
-  Corners corners = Corners::keep;
-  Lattice lattice = Lattice::rectangular;
-  PlannerOptions planners;
-};
-template <class Options, class Visitor>
-requires std::same_as<std::remove_const_t<Options>, PlanTable>
-void fields(Options& o, Visitor&& visit) {
-  fields(o.source, visit);
-  visit(Field{"start", "m", "where from; left out: the landscape alone"}, o.start);
-  visit(Field{"target", "m", "where to"}, o.target);
-  visit(Field{"targets", "m", "where to, several: to the one that is best"}, o.targets);
-  visit(Field{"planner", "", "who plans; meander.planning.planners() names them"}, o.planner);
-  visit(Field{"path", "", "how the path is read off the landscape"}, o.path);
-  visit(Field{"robot_radius", "m", "what is solid is kept this far from the path", 0, 1000}, o.robot_radius);
-  visit(Field{"corners", "", "may diagonal steps pass the corner of a blocked cell"}, o.corners);
-  visit(Field{"lattice", "", "which cells are neighbours"}, o.lattice);
-  fields(o.planners.neural_map, visit);
-  visit(Field{"harmonic", "", "options of the harmonic function"}, o.planners.harmonic);
-}
 
 struct MeasuresView {
   double length = 0, turning = 0, curvature = 0, clearance_mean = 0, clearance_min = 0;
@@ -76,25 +47,6 @@ void fields(Options& o, Visitor&& visit) {
 }
 
 namespace {
-
-using Planned = std::tuple<std::shared_ptr<Plan>, std::optional<std::string>>;
-
-Planned or_reason(std::shared_ptr<Plan> plan) {
-  if (plan->reason().empty()) return {std::move(plan), std::nullopt};
-  return {nullptr, "no path: " + plan->reason()};
-}
-
-PlanningTask task_of(const PlanTable& table) {
-  PlanningTask task{.start = table.start,
-                    .targets = {},
-                    .robot_radius = table.robot_radius,
-                    .corners = table.corners,
-                    .lattice = table.lattice};
-  const World* world = table.source.world.get();
-  if (table.target) task.targets.push_back(table.target->in(world).position);
-  for (const SubgoalOption& target : table.targets) task.targets.push_back(target.in(world).position);
-  return task;
-}
 
 Planned plan(const PlanTable& table, const Call& call) {
   const PlanningTask task = task_of(table);

@@ -37,6 +37,7 @@ void bind_all(lua_State* L) {
   bind_sonar_log(L);
   bind_planning_map(L);
   bind_plan(L);
+  bind_replanner(L);
   bind_planned_route(L);
   bind_indicator(L);
   bind_explorer(L);

@@ -1,0 +1,112 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- SPDX-FileCopyrightText: the meander authors
+-- Global planning as scripts see it.
+local function room()
+  local map = meander.planning.map { world = meander.world.new { bounds = { { 0, 0 }, { 8, 4 } } }, resolution = 0.1 }
+  map:block { { 3.9, 0 }, { 4.1, 3 } }
+  return map
+end
+
+describe("a map of cells", function()
+  it("is made of a world, and edited", function()
+    local map = room()
+    expect(map.width):equals(80)
+    expect(map.height):equals(40)
+    expect(map.resolution):equals(0.1)
+    expect(map:solid(4, 1)):is_true()
+    map:block({ { 3.9, 0 }, { 4.1, 1 } }, false)
+    expect(map:solid(4, 0.5)):is_false()
+    expect(map:solid(4, 2)):is_true()
+    expect(map:solid(-1, 2)):is_true()
+  end)
+
+  it("is read from a file of movingai.com with its scenarios", function()
+    local name = os.tmpname()
+    local file = io.open(name, "w")
+    file:write "type octile\nheight 2\nwidth 3\nmap\n.@.\n...\n"
+    file:close()
+    local map = meander.planning.read_map(name)
+    expect(map:solid(1.5, 1.5)):is_true()
+    file = io.open(name, "w")
+    file:write "version 1\n0 x.map 3 2 0 0 2 0 4\n"
+    file:close()
+    local task = map:scenarios(name)[1]
+    os.remove(name)
+    local plan = meander.planning.plan { map = map, start = task.start, target = task.goal, planner = "astar" }
+    expect(plan.measures.length):equals(task.length)
+  end)
+end)
+
+describe("a plan", function()
+  it("of every planner leads to the target and keeps clear", function()
+    for _, planner in ipairs(meander.planning.planners()) do
+      local plan = meander.planning.plan {
+        map = room(), start = { 1, 1 }, target = { 7, 1 }, robot_radius = 0.25, planner = planner,
+      }
+      expect(plan.planner):equals(planner)
+      expect(plan.clear):is_true()
+      expect(plan.measures.clearance_min >= 0.25):is_true()
+      expect(math.abs(plan.path[#plan.path].x - 7.05) < 1e-9):is_true()
+      expect(plan.statistics.dead_units):equals(0)
+    end
+  end)
+
+  it("has a landscape that rises to the target, and other paths on it", function()
+    local plan = meander.planning.plan { map = room(), targets = { { 7, 1 }, { 7, 3 } } }
+    expect(plan:value(7, 1)):equals(0)
+    expect(plan:value(5, 1) > plan:value(1, 1)):is_true()
+    expect(plan:value(4, 1)):equals(nil)
+    expect(plan:landscape().rows):equals(40)
+    local smooth, steps = plan:from { 1, 1 }, plan:from({ 1, 1 }, "steepest")
+    expect(smooth.measures.length < steps.measures.length):is_true()
+  end)
+
+  it("says why there is none", function()
+    local map = room()
+    local plan, why = meander.planning.plan { map = map, start = { 4, 1 }, target = { 7, 1 } }
+    expect(plan):equals(nil)
+    expect(why):equals "no path: the start in cell (40, 10) lies in a wall"
+    map:block { { 3.9, 0 }, { 4.1, 4 } }
+    plan, why = meander.planning.plan { map = map, start = { 1, 1 }, target = { 7, 1 } }
+    expect(why):equals "no path: the start in cell (10, 10) is cut off from the target in cell (70, 10)"
+  end)
+
+  it("goes round what is hard and up no hill without need", function()
+    local hard, steep = room(), room()
+    local function lowest(map, planner)
+      local plan, least = meander.planning.plan { map = map, start = { 1, 3.5 }, target = { 3.5, 3.5 }, planner = planner }, 4
+      for _, p in ipairs(plan.path) do least = math.min(least, p.y) end
+      return least
+    end
+    local even = lowest(hard)
+    hard:set_difficulty({ { 1.5, 2.9 }, { 3, 4 } }, 20)
+    steep:set_drag({ { 1.5, 2.9 }, { 3, 4 } }, { 0.8, 0 })
+    expect(lowest(hard) < even - 0.3):is_true()
+    expect(lowest(steep, "distance_transform") < even - 0.3):is_true()
+  end)
+
+  it("follows the edits of its map", function()
+    local map = room()
+    local replanner = meander.planning.replanner { map = map, start = { 1, 1 }, target = { 7, 1 }, robot_radius = 0.25 }
+    local first = replanner:replan()
+    map:block { { 3.9, 0 }, { 4.1, 4 } }
+    local none, why = replanner:replan()
+    expect(none):equals(nil)
+    expect(why:find "is cut off" ~= nil):is_true()
+    map:block({ { 3.9, 3 }, { 4.1, 4 } }, false)
+    local again = replanner:replan()
+    expect(again.clear):is_true()
+    expect(math.abs(again.measures.length - first.measures.length) < 0.01):is_true()
+  end)
+end)
+
+describe("a planned route", function()
+  it("takes the robot to its target", function()
+    local world = meander.world.open "worlds/office.toml"
+    local sim = meander.sim.new { world = world, start = { 1, 1, 0 }, seed = 7 }
+    local guide = meander.autonomy.planned_route { world = world, target = { 6, 4.5 }, robot_radius = 0.27 }
+    local run = sim:drive { navigator = "polar", guide = guide, time_limit = 90 }
+    expect(run.success):is_true()
+    expect(run):touches_nothing()
+  end)
+end)
