@@ -21,14 +21,15 @@ local options = require "meander.arguments" {
 local marks = { 500, 1000, 2000, 5000, 10000, 20000 }
 local figures = {
   "cells", "geometry", "light", "touch", "light_share", "touch_share", "bytes_full", "bytes_minimal", "bytes_quantised",
-  "smaller", "recognised", "recognised_quantised",
+  "smaller", "recognised", "recognised_quantised", "by_senses_full", "by_senses",
 }
 local kLook = 25 -- samples between two recognitions, in the last fifth of a run
 
 local function distance(a, b) return math.sqrt((a.x - b.x) ^ 2 + (a.y - b.y) ^ 2) end
 
 local function trial(name, seed)
-  local minimal, grown, looks, right, right_quantised = nil, {}, 0, 0, 0
+  local minimal, grown, looks = nil, {}, 0
+  local right = { recognised = 0, recognised_quantised = 0, by_senses_full = 0, by_senses = 0 }
   alice.explore {
     world = name, seed = seed, samples = options.samples,
     each = function(sample, robot)
@@ -36,10 +37,16 @@ local function trial(name, seed)
       minimal:step(robot.map)
       local last = sample == options.samples
       if sample > 0.8 * options.samples and sample % kLook == 0 then
-        local place = robot.map.places[1] and { x = robot.map.pose[1], y = robot.map.pose[2] }
+        local here = { x = robot.map.pose[1], y = robot.map.pose[2] }
+        local function look(name, there) right[name] = right[name] + (distance(there, here) < 0.5 and 1 or 0) end
         looks = looks + 1
-        if distance(minimal:recognise(robot.map), place) < 0.5 then right = right + 1 end
-        if distance(minimal:recognise(robot.map, true), place) < 0.5 then right_quantised = right_quantised + 1 end
+        look("recognised", minimal:recognise(robot.map))
+        look("recognised_quantised", minimal:recognise(robot.map, true))
+        look("by_senses", minimal:recognise(robot.map, false, true))
+        local alike = robot.map:alike()
+        for _, place in ipairs(robot.map.places) do
+          if place.number == alike then look("by_senses_full", place.position) end
+        end
       end
       for _, mark in ipairs(marks) do
         if sample == mark or (last and mark > sample and not grown[sample]) then
@@ -49,9 +56,8 @@ local function trial(name, seed)
             light_share = sizes.light / sizes.geometry, touch_share = sizes.touch / sizes.geometry,
             bytes_full = sizes.bytes_of_map, bytes_minimal = sizes.bytes, bytes_quantised = sizes.bytes_quantised,
             smaller = sizes.bytes_of_map / sizes.bytes,
-            recognised = last and looks > 0 and right / looks or nil,
-            recognised_quantised = last and looks > 0 and right_quantised / looks or nil,
           }
+          for key, count in pairs(right) do grown[sample][key] = last and looks > 0 and count / looks or nil end
         end
       end
     end,

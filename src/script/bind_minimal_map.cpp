@@ -44,6 +44,8 @@ void fields(Options& o, Visitor&& visit) {
 
 namespace {
 
+constexpr double kAnywhere = 1e6;  ///< scale of the position when it shall not count [m]
+
 std::shared_ptr<MinimalMap> make(const MinimalTable& table) {
   const TopologicMap& map = *table.map.value;
   validate(table.options);
@@ -64,9 +66,11 @@ MinimalSizes sizes(const MinimalMap& minimal, const TopologicMap& map) {
           static_cast<double>(map_bytes(map.net(), 4)),
           static_cast<double>(quantised(minimal).bytes())};
 }
-std::optional<Vec2> recognise(const MinimalMap& minimal, const TopologicMap& map, const std::optional<bool>& quantise) {
+std::optional<Vec2> recognise(const MinimalMap& minimal, const TopologicMap& map, const std::optional<bool>& quantise,
+                              const std::optional<bool>& senses_alone) {
   const topology::Situation now = map.situation();
-  const topology::Scales& scales = map.options().scales;
+  topology::Scales scales = map.options().scales;
+  if (senses_alone.value_or(false)) scales.position = kAnywhere;
   if (!quantise.value_or(false)) {
     const int place = topology::recognise(minimal, now, scales);
     return place < 0 ? std::nullopt : std::optional(minimal.geometry().cells()[place].position);
@@ -108,7 +112,9 @@ void bind_minimal_map(lua_State* L) {
                           .example = EXAMPLE_MINIMAL "print(k:sizes(m).bytes)"})
       .method<&recognise>(Doc{.name = "recognise",
                               .text = "Where the model takes the map's situation of now to be.",
-                              .args = {{"map", "the map that localises it"}, {"quantised", "with one byte a value"}},
+                              .args = {{"map", "the map that localises it"},
+                                       {"quantised", "with one byte a value"},
+                                       {"senses_alone", "by touch and light, wherever the robot believes to be"}},
                               .returns = "the position of that place, or nil in an empty model",
                               .errors = "more than 254 lights or touches, when quantised",
                               .example = EXAMPLE_MINIMAL "print(k:recognise(m, true).x)"})

@@ -124,6 +124,11 @@ std::optional<int> nearest(const TopologicMap& map, const Vec2& at) {
   const int cell = topology::nearest_place(map.net().cells(), at);
   return cell < 0 ? std::nullopt : std::optional(cell + 1);
 }
+std::optional<int> alike(const TopologicMap& map) {
+  if (map.samples() == 0) fail("the map has not taken in any sample yet");
+  const int cell = topology::most_alike(map.net(), map.situation().senses);
+  return cell < 0 ? std::nullopt : std::optional(cell + 1);
+}
 std::optional<std::vector<int>> way(const TopologicMap& map, int from, int to,
                                     const std::optional<topology::RouteOptions>& options) {
   auto found = topology::route(map.net().cells(), cell_of(map, from), cell_of(map, to),
@@ -189,6 +194,11 @@ void bind_looking(Type<TopologicMap>& type) {
                             .args = {{"position", "in the frame of the map", "m"}},
                             .returns = "its number, or nil in an empty map",
                             .example = EXAMPLE_TOPOLOGY "print(m:nearest {1, 1})"})
+      .method<&alike>(Doc{.name = "alike",
+                          .text = "The place whose senses are most like those of now, wherever it is.",
+                          .returns = "its number, or nil in an empty map",
+                          .errors = "a map without samples",
+                          .example = EXAMPLE_TOPOLOGY "print(m:alike())"})
       .method<&way>(Doc{.name = "way",
                         .text = "The cheapest way over the links from one place to another.",
                         .args = {{"from", "number of a place"}, {"to", "the same"}, {"options", "what links cost"}},

@@ -12,12 +12,12 @@ namespace meander::topology {
 struct CorrelationOptions {
   double reach = 1.5;   ///< cells so far from where the robot believes to be are compared [m]
   int age = 60;         ///< cells younger than this [samples] are not: they would confirm the robot's own error
-  double accept = 1.0;  ///< largest distance of the best cell that counts
+  double accept = 0.8;  ///< largest distance of the best cell that counts
   double turn_step = 0.05235987755982989;  ///< headings are tried at multiples of this [rad]
   int turns = 5;                           ///< so many to each side; 0: headings are not corrected
   double turn_cost = 0.02;                 ///< of a tried heading, times the square of its number
   double gain = 0.05;                      ///< share of the way to the best cell
-  double turn_gain = 0.05;                 ///< share of the best turn
+  double turn_gain = 0.02;                 ///< share of the best turn
   double dead_zone = 0.1;                  ///< no correction of the position below this [m]
 };
 template <class Options, class Visitor>

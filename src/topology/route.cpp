@@ -38,17 +38,31 @@ std::optional<std::vector<int>> route(const CellPool& cells, int from, int to, c
   return way;
 }
 
-int nearest_place(const CellPool& cells, const Vec2& at) {
-  int nearest = -1;
+namespace {
+
+/// The cell with the least of something; -1 when there is none, ties to the smaller number.
+template <class Measure>
+int least(const CellPool& cells, const Measure& measure) {
+  int found = -1;
   double best = std::numeric_limits<double>::infinity();
   for (int cell = 0; cell < cells.slots(); ++cell) {
     if (!cells[cell].alive()) continue;
-    const double d = (cells[cell].position - at).squaredNorm();
-    if (d >= best) continue;
-    best = d;
-    nearest = cell;
+    const double value = measure(cell);
+    if (value >= best) continue;
+    best = value;
+    found = cell;
   }
-  return nearest;
+  return found;
+}
+
+}  // namespace
+
+int nearest_place(const CellPool& cells, const Vec2& at) {
+  return least(cells, [&](int cell) { return (cells[cell].position - at).squaredNorm(); });
+}
+
+int most_alike(const GrowingNet& net, const float* senses) {
+  return least(net.cells(), [&](int cell) { return net.metric().squared(net.cells().senses(cell), senses); });
 }
 
 }  // namespace meander::topology

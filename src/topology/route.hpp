@@ -29,5 +29,7 @@ std::optional<std::vector<int>> route(const CellPool& cells, int from, int to, c
 
 /// The cell whose place is nearest; -1 in an empty map. Looks at all.
 int nearest_place(const CellPool& cells, const Vec2& at);
+/// The cell whose senses are most like these, wherever it is; -1 in an empty map. Looks at all.
+int most_alike(const GrowingNet& net, const float* senses);
 
 }  // namespace meander::topology

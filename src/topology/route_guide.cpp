@@ -6,14 +6,23 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "geometry/angle.hpp"
 
 namespace meander::topology {
 namespace {
 
-constexpr int kTrail = 40;         ///< situations, ...
-constexpr double kSpacing = 0.05;  ///< ... one every so many metres
-constexpr double kSpread = 0.35;   ///< cells so near to a supposed place may be meant [m]
-constexpr std::size_t kAhead = 4;  ///< links of the way that are watched for suspension
+constexpr int kTrail = 40;                          ///< situations, ...
+constexpr double kSpacing = 0.05;                   ///< ... one every so many metres
+constexpr double kSpread = 0.35;                    ///< cells so near to a supposed place may be meant [m]
+constexpr std::size_t kAhead = 4;                   ///< links of the way that are watched for suspension
+constexpr double kGoldenAngle = 2.399963229728653;  ///< [rad]; its multiples lie nowhere near each other
+constexpr int kStray = 40;                          ///< samples
+constexpr double kStrayWay = 2;                     ///< [m]; it slides along what is in the way
+constexpr double kSpiral = 0.11;                    ///< [m] from the goal to the first point, times sqrt(k) to the k-th
+constexpr double kSeen = 0.08;                      ///< so near to such a point it goes on to the next [m]
+constexpr int kLook = 15;                           ///< samples after which it does so anyhow
+constexpr int kPulls = 20;                          ///< to where the senses tell
+constexpr double kLikeGrowth = 0.03;                ///< per point
 
 class RouteGuide {
  public:
@@ -29,21 +38,24 @@ class RouteGuide {
     if (!cells().alive(goal_) || cells()[goal_].serial != serial_) return ended(false, "the goal's cell is gone");
     if (++samples_ > options_.most_samples) return ended(false, "too many samples");
     trail_.add(map_->situation());
+    if (samples_ < stray_until_) return to(stray_);
     if (!on_way() && !plan() && !recover()) return ended(false, "no links lead there");
     pass_places();
     const bool held = stuck(seen.odometry.pose.position());
-    if (next_ + 1 == way_.size() && (held || distance_to(goal_) <= options_.arrive) && arrived())
-      return ended(true, "arrived, and the senses agree");
-    if (tries_ > options_.tries && !recover()) return ended(false, "at the believed place the senses tell another");
-    if (held && !give_up_link()) return ended(false, "stuck, and no other links lead there");
-    const Vec2 target = inverse(map_->map_from_odometry()) * cells()[way_[next_]].position;
-    return {Subgoal{target, 0.02, {}, {}}, false, {}, 0};
+    if (next_ + 1 == way_.size() && (looks_ > 0 || held || distance_to(goal_) <= options_.arrive)) {
+      if (agrees()) return ended(true, "arrived, and the senses agree");
+      if (!look_about() && !recover()) return ended(false, "at the believed place the senses tell another");
+    } else if (held && !get_free(seen.odometry.pose)) {
+      return ended(false, "stuck, and no other links lead there");
+    }
+    return to(inverse(map_->map_from_odometry()) * target());
   }
 
  private:
   const CellPool& cells() const { return map_->net().cells(); }
   Vec2 here() const { return map_->pose().position(); }
   double distance_to(int cell) const { return (cells()[cell].position - here()).norm(); }
+  static GuideStep to(const Vec2& place) { return {Subgoal{place, 0.02, {}, {}}, false, {}, 0}; }
   static GuideStep ended(bool success, const char* why) { return {std::nullopt, success, why, success ? 1 : 0}; }
 
   /// Is there a way whose cells and next links still hold?
@@ -83,11 +95,10 @@ class RouteGuide {
     return samples_ - since_ > options_.patience;
   }
 
-  /// Lost: the robot is where its last stretch of way fits the map best. What it believed blocked meanwhile was not
-  /// where it thought.
+  /// Lost: the robot is where its last stretch of way fits the map clearly better than where it believes to be, if
+  /// there is such a place. What it believed blocked meanwhile may not have been where it thought.
   bool recover() {
-    const auto place = recovered_++ < options_.recoveries ? trail_.find(map_->net(), kSpread) : std::nullopt;
-    if (!place) return false;
+    if (recovered_++ >= options_.recoveries) return false;
     for (const auto& [a, b] : given_up_)
       if (cells().alive(a) && cells().alive(b) && cells().find(a, b)) {
         Link link = *cells().find(a, b);
@@ -96,16 +107,21 @@ class RouteGuide {
         map_->net().cells().connect(a, b, link);
       }
     given_up_.clear();
-    map_->shift(place->position - here());
-    trail_.clear();
-    tries_ = 0;
+    if (const auto place = trail_.find(map_->net(), kSpread)) {
+      map_->shift(place->position - here());
+      trail_.clear();
+    }
+    looks_ = pulls_ = 0;
     return plan();
   }
 
-  /// The link on which nothing moves is suspended: other links are tried first.
-  bool give_up_link() {
-    since_ = samples_;
-    if (++stuck_ % 3 == 0) return recover();
+  /// Stuck: the link on which nothing moves is suspended, the robot strays off for a little and tries another way.
+  bool get_free(const Pose2& odometry) {
+    const Vec2 way = inverse(map_->map_from_odometry()) * target() - odometry.position();
+    const SinCos off = sin_cos(wrap_angle(angle_of(way.y(), way.x()) + ++stuck_ * kGoldenAngle));
+    stray_ = odometry.position() + kStrayWay * Vec2(off.cos, off.sin);
+    stray_until_ = since_ = samples_ + kStray;
+    if (stuck_ % 3 == 0) return recover();
     if (next_ == 0) return true;
     Link link = *cells().find(way_[next_ - 1], way_[next_]);
     if (!link.suspended) given_up_.emplace_back(way_[next_ - 1], way_[next_]);
@@ -115,15 +131,39 @@ class RouteGuide {
     return plan() || recover();
   }
 
-  /// Does the correlation tell the goal, or a place beside it?
-  bool arrived() {
+  /// Do the senses tell the goal, or a place beside it while they are like the goal's? The longer it has looked, the
+  /// less alike is enough.
+  bool agrees() const {
     const int told = map_->correction().cell;
-    if (told >= 0 && (cells()[told].position - cells()[goal_].position).norm() <= options_.confirm) return true;
-    ++tries_;
-    if (told >= 0) map_->shift(options_.pull * (cells()[told].position - here()));
-    way_.clear();
-    plan();
-    return false;
+    if (told == goal_) return true;
+    if (told < 0 || (cells()[told].position - cells()[goal_].position).norm() > options_.confirm) return false;
+    const double like = options_.like + kLikeGrowth * looks_;
+    return map_->net().metric().squared(cells().senses(goal_), map_->situation().senses) <= like * like;
+  }
+
+  /// Not at the goal: the robot is where the senses tell when that is elsewhere, else somewhere around the goal, and
+  /// looks there in growing circles. False when it has looked everywhere.
+  bool look_about() {
+    const int told = map_->correction().cell;
+    if (told >= 0 && (cells()[told].position - cells()[goal_].position).norm() > options_.confirm) {
+      if (++pulls_ > kPulls) return false;
+      map_->shift(options_.pull * (cells()[told].position - here()));
+      if (!plan()) return false;
+    }
+    if (looks_ == 0 || (target() - here()).norm() < kSeen || samples_ > look_until_) {
+      ++looks_;
+      look_until_ = samples_ + kLook;
+    }
+    since_ = samples_;
+    return looks_ <= options_.tries;
+  }
+
+  /// Where to drive now, in the map: the next place, or when looking about a point on a spiral around it.
+  Vec2 target() const {
+    const Vec2 place = cells()[way_[next_]].position;
+    if (next_ + 1 < way_.size() || looks_ == 0) return place;
+    const SinCos t = sin_cos(wrap_angle(looks_ * kGoldenAngle));
+    return place + kSpiral * std::sqrt(looks_) * Vec2(t.cos, t.sin);
   }
 
   std::shared_ptr<TopologicMap> map_;
@@ -135,9 +175,13 @@ class RouteGuide {
   bool suspended_accepted_ = false;  ///< there is no way without a suspended link
   Trail trail_;
   std::vector<std::pair<int, int>> given_up_;  ///< links that this drive suspended
-  int recovered_ = 0;
+  int recovered_ = 0, stuck_ = 0;
+  int looks_ = 0, look_until_ = 0;  ///< points around the goal, and the sample until which it goes to the last one
+  int pulls_ = 0;
+  Vec2 stray_{0, 0};       ///< in the odometry frame
+  int stray_until_ = 0;    ///< sample
   Vec2 anchor_{1e9, 1e9};  ///< in the odometry frame
-  int since_ = 0, samples_ = 0, tries_ = 0, stuck_ = 0;
+  int since_ = 0, samples_ = 0;
 };
 
 }  // namespace

@@ -9,6 +9,8 @@ namespace {
 
 /// What a stretch counts where the map has no place [squared distance].
 constexpr double kNowhere = 4;
+/// Another place must fit better than where the robot believes to be: at most this share of the mismatch there.
+constexpr double kBetter = 0.7;
 
 }  // namespace
 
@@ -48,7 +50,7 @@ std::optional<Trail::Place> Trail::find(const GrowingNet& net, double spread) co
   if (2 * count_ < length_) return std::nullopt;
   const Vec2 here = positions_[slot(count_ - 1)];
   Place place;
-  double best = kNowhere * count_;
+  double best = kBetter * mismatch(net, {0, 0}, spread, kNowhere * count_);
   bool found = false;
   for (int cell = 0; cell < net.cells().slots(); ++cell) {
     if (!net.cells()[cell].alive()) continue;

@@ -21,8 +21,8 @@ class Trail {
     Vec2 position{0, 0};  ///< where the last situation was, if this is right
     double mismatch = 0;  ///< mean over the trail: squared distance of the senses to the best cell there
   };
-  /// The place of the whole map that the trail fits best; nothing until the trail is half full. `spread` [m]: cells so
-  /// near to a supposed place may be meant.
+  /// The place of the whole map that the trail fits best; nothing until the trail is half full, or when it fits about
+  /// as well where the robot believes to be. `spread` [m]: cells so near to a supposed place may be meant.
   std::optional<Place> find(const GrowingNet& net, double spread) const;
 
  private:

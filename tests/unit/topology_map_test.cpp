@@ -182,6 +182,17 @@ TEST(LinkDoubt, AWallFeltAcrossALinkSuspendsItAndAFreeWayLiftsIt) {
   EXPECT_FALSE(net.cells().find(a, b)->suspended);
 }
 
+TEST(LinkDoubt, DrivingASuspendedLinkBringsItBack) {
+  GrowingNet net({}, SenseMetric(24, 24, {}), 0.35);
+  std::vector<float> senses(48, 0.0f);
+  const auto shown = [&](double x) { return net.present({{x, 0}, senses.data()}, 0).cell; };
+  const int a = shown(0), b = shown(0.5);
+  net.cells().connect(a, b, {.doubt = 2, .suspended = true});
+  EXPECT_EQ(shown(0), a);
+  EXPECT_FALSE(net.cells().find(a, b)->suspended);
+  EXPECT_EQ(net.cells().find(a, b)->doubt, 0);
+}
+
 TEST(LinkDoubt, AWallThatACellExpectsIsNoSurprise) {
   GrowingNet net({}, SenseMetric(24, 24, {}), 0.35);
   std::vector<float> senses(48, 0.0f);
