@@ -57,6 +57,7 @@ void PointMapper::add(const Vec2& position, int age) {
     if (square < 1e-12) return;
     p *= (radius_ + kPushedOut) / std::sqrt(square);
     square = p.squaredNorm();
+    if (!(square <= scope_ * scope_)) return;  // the raster ends there
   }
   nearest_square_ = std::min(nearest_square_, square);
   if (new_place(p)) points_.push_back({p, age});

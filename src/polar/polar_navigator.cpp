@@ -19,8 +19,10 @@ std::vector<RingWeights> weights_of(const PolarLayout& layout, const PolarMapOpt
   return parts.weights ? ring_weights(layout, parts.weights) : ring_weights(layout, map.weights, map.kappa);
 }
 
-const PolarOptions& checked(const PolarOptions& options) {
-  validate(options);
+PolarOptions checked(const PolarOptions& given, const Platform& platform) {
+  validate(given);
+  const PolarOptions options = in_mode(given);
+  check(options, platform.body);
   return options;
 }
 
@@ -40,7 +42,7 @@ std::size_t most_points(const Platform& platform, const PolarOptions& options) {
 
 PolarNavigator::PolarNavigator(const Platform& platform, const PolarOptions& options, PolarParts parts)
     : platform_(platform),
-      options_(in_mode(checked(options))),
+      options_(checked(options, platform)),
       parts_(std::move(parts)),
       layout_(options_.map.layout),
       organiser_(organiser_of(options_.map, parts_)),

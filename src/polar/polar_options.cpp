@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "polar/polar_options.hpp"
 
+#include <algorithm>
+
 namespace meander {
 
 PolarOptions in_mode(PolarOptions options) {
@@ -14,6 +16,27 @@ PolarOptions in_mode(PolarOptions options) {
   options.control.soft_samples = 0.8;
   options.control.soft_speed_cost = 0;
   return options;
+}
+
+namespace {
+
+/// Floor that a map must show beyond the robot's slow zone [m].
+constexpr double kSeen = 0.05;
+
+void check_scope(const PolarOptions& o, const Body& body) {
+  const double margin = std::max(o.map.margin, o.control.soft_margin), least = body.radius + margin + kSeen;
+  if (!(o.map.layout.scope >= least))
+    fail(
+        "option 'map.scope': at least {:.4g} m expected (the robot's radius {} m, its margin {} m and {} m more), got "
+        "{}",
+        least, body.radius, margin, kSeen, o.map.layout.scope);
+}
+
+}  // namespace
+
+void check(const PolarOptions& options, const Body& body) {
+  validate(options);
+  check_scope(options, body);
 }
 
 }  // namespace meander

@@ -85,4 +85,7 @@ struct PolarParts {
 /// The options with what the mode turns off turned off.
 PolarOptions in_mode(PolarOptions options);
 
+/// Throws ArgumentError at numbers out of range, and at those that contradict one another or the robot's size.
+void check(const PolarOptions& options, const Body& body);
+
 }  // namespace meander
