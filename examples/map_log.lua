@@ -33,12 +33,14 @@ local ok, log = pcall(meander.study.sonar_log, path,
 if not ok then report.failure((tostring(log):gsub("^.-:%d+: [%w_.]+: ", ""))) end
 if #log == 0 then report.failure(path .. ": no scan that could be used") end
 
+if log.sonars == 0 then report.usage_error(path .. ": this log has no sonars") end
+
 -- The ring that the file tells of, or that of the platform.
 local robot = { preset = "nomad200" }
 robot.sonar = log.ring or { count = log.sonars }
-local map = meander.mapping.map {
+local map = report.try(report.usage_error, path, meander.mapping.map, {
   model = options.model, preset = options.preset, fusion = options.fusion, range_max = options.range_max, robot = robot,
-}
+})
 for i = 1, #log do map:update(log[i]) end
 
 local stem = report.path(options, "map_log")

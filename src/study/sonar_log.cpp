@@ -35,33 +35,52 @@ struct Columns {
 using Prefixes = std::initializer_list<std::string_view>;
 
 /// The number in a name like "sonar_7" or "s7".
-std::optional<int> number_behind(Prefixes prefixes, std::string_view name) {
-  for (const std::string_view before : prefixes) {
-    if (!name.starts_with(before)) continue;
-    int number = 0;
-    const std::string_view digits = name.substr(before.size());
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (error == std::errc() && end == digits.data() + digits.size()) return number;
-  }
-  return std::nullopt;
+std::optional<unsigned> number_behind(std::string_view prefix, std::string_view name) {
+  if (!name.starts_with(prefix)) return std::nullopt;
+  unsigned number = 0;
+  const std::string_view digits = name.substr(prefix.size());
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+  return number;
 }
 
-/// The columns of a ring in the order of their numbers.
-std::vector<std::size_t> ring_columns(const std::vector<std::string_view>& names, Prefixes prefixes) {
-  std::map<int, std::size_t> by_number;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (const auto number = number_behind(prefixes, names[i])) by_number[*number] = i;
+/// The columns of a ring in the order of their numbers, which begin at 0 or 1: a gap or a column too many would turn
+/// the ring, and nothing could tell that from the map.
+std::vector<std::size_t> ring_columns(const std::vector<std::string_view>& names, Prefixes prefixes,
+                                      const std::string& file) {
+  std::map<unsigned, std::size_t> by_number;
+  std::string_view prefix;
+  for (const std::string_view one : prefixes)
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const auto number = number_behind(one, names[i]);
+      if (!number) continue;
+      if (!by_number.empty() && one != prefix)
+        fail<FileError>("{}:1: columns of one ring expected, got '{}' and '{}'", file,
+                        printable(names[by_number.begin()->second]), printable(names[i]));
+      prefix = one;
+      if (!by_number.emplace(*number, i).second)
+        fail<FileError>("{}:1: column '{}{}' is there twice", file, prefix, *number);
+    }
   std::vector<std::size_t> columns;
-  for (const auto& [number, at] : by_number) columns.push_back(at);
+  unsigned expected = by_number.contains(0) ? 0 : 1;
+  for (const auto& [number, at] : by_number) {
+    if (number != expected) fail<FileError>("{}:1: column '{}{}' is missing", file, prefix, expected);
+    ++expected;
+    columns.push_back(at);
+  }
   return columns;
 }
 
 Columns columns_of(std::string_view head, const std::string& name) {
   const auto names = split(head);
   const auto find = [&](std::initializer_list<std::string_view> wanted) {
-    for (const std::string_view one : wanted)
-      if (const auto at = std::find(names.begin(), names.end(), one); at != names.end())
-        return static_cast<std::size_t>(at - names.begin());
+    for (const std::string_view one : wanted) {
+      const auto at = std::find(names.begin(), names.end(), one);
+      if (at == names.end()) continue;
+      if (std::find(at + 1, names.end(), one) != names.end())
+        fail<FileError>("{}:1: column '{}' is there twice", name, one);
+      return static_cast<std::size_t>(at - names.begin());
+    }
     fail<FileError>("{}:1: no column '{}' in the head line '{}'", name, *wanted.begin(), printable(head));
   };
   const bool odometry = std::find(names.begin(), names.end(), "odometry_x") != names.end();
@@ -69,9 +88,9 @@ Columns columns_of(std::string_view head, const std::string& name) {
   columns.x = odometry ? find({"odometry_x"}) : find({"x"});
   columns.y = odometry ? find({"odometry_y"}) : find({"y"});
   columns.heading = odometry ? find({"odometry_heading"}) : find({"heading", "theta"});
-  columns.ranges = ring_columns(names, {"sonar_", "sonar", "s", "S"});
-  columns.whiskers = ring_columns(names, {"whisker_"});
-  columns.lights = ring_columns(names, {"light_"});
+  columns.ranges = ring_columns(names, {"sonar_", "sonar", "s", "S"}, name);
+  columns.whiskers = ring_columns(names, {"whisker_"}, name);
+  columns.lights = ring_columns(names, {"light_"}, name);
   if (columns.ranges.empty() && columns.whiskers.empty() && columns.lights.empty())
     fail<FileError>("{}:1: no columns 'sonar_0', 'sonar_1', ... in the head line", name);
   return columns;

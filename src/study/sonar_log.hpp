@@ -58,8 +58,9 @@ struct SonarLog {
 SonarLog read_sonar_log(const std::string& path, const SonarLogOptions& options = {}, const Work& work = {});
 
 /// A table with a head line: `time` [s], a pose [m, rad] as `odometry_x, odometry_y, odometry_heading` or else as
-/// `x, y, heading` (or `theta`), and ranges [m] in ring order as `sonar_0, sonar_1, ...` (`s1, s2, ...` will do); contacts
-/// and brightness of robots that have such sensors as `whisker_0, ...` and `light_0, ...`. Other columns are left alone. What save_csv(run) writes is such a table.
+/// `x, y, heading` (or `theta`), and ranges [m] in ring order as `sonar_0, sonar_1, ...` (`s1, s2, ...` will do);
+/// contacts and brightness of robots that have such sensors as `whisker_0, ...` and `light_0, ...`. Other columns are
+/// left alone. What save_csv(run) writes is such a table.
 SonarLog sonar_log_from_csv(const std::string& text, const std::string& name, const SonarLogOptions& options = {},
                             const Work& work = {});
 

@@ -11,10 +11,12 @@
 
 namespace meander {
 
-/// The lines of a text, without what ends them.
+/// The lines of a text, without what ends them and without the mark that some editors put before UTF-8.
 class LogLines {
  public:
-  LogLines(std::string_view text, const Work& work) : rest_(text), work_(work) {}
+  LogLines(std::string_view text, const Work& work) : rest_(text), work_(work) {
+    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+  }
   bool next() {
     if (rest_.empty()) return false;
     if (++number_ % 1000 == 0) work_.poll();

@@ -79,6 +79,24 @@ TEST(SonarLogCsv, RefusesWhenAskedTo) {
   EXPECT_EQ(refusal_of_csv(""), "a.csv:1: a head line expected, got nothing");
 }
 
+TEST(SonarLogCsv, RefusesRingsThatItCannotPutInOrder) {
+  const auto head = [](const std::string& columns) { return refusal_of_csv("time,x,y,heading," + columns + "\n"); };
+  EXPECT_EQ(head("s1,s2,s3"), "taken");
+  EXPECT_EQ(head("sonar_2,sonar_0,sonar_1,s_total"), "taken");
+  EXPECT_EQ(head("sonar_0,sonar_2"), "a.csv:1: column 'sonar_1' is missing");
+  EXPECT_EQ(head("s2,s3"), "a.csv:1: column 's1' is missing");
+  EXPECT_EQ(head("s0,s1,s1"), "a.csv:1: column 's1' is there twice");
+  EXPECT_EQ(head("s0,s1,s01"), "a.csv:1: column 's1' is there twice");
+  EXPECT_EQ(head("s1,sonar_0"), "a.csv:1: columns of one ring expected, got 'sonar_0' and 's1'");
+  EXPECT_EQ(head("sonar_0,whisker_0,whisker_2"), "a.csv:1: column 'whisker_1' is missing");
+  EXPECT_EQ(head("light_0,light_0"), "a.csv:1: column 'light_0' is there twice");
+  EXPECT_EQ(head("s1,x"), "a.csv:1: column 'x' is there twice");
+}
+
+TEST(SonarLogCsv, TakesTheMarkBeforeUtf8) {
+  EXPECT_EQ(sonar_log_from_csv("\xEF\xBB\xBFtime,x,y,heading,s1\n0,0,0,0,1\n", "a.csv").scans.size(), 1U);
+}
+
 /// Four sonars, listed clockwise from behind.
 constexpr const char* kOffsets = " -0.2 0 3.14159 0 0.2 1.5708 0.2 0 0 0 -0.2 -1.5708";
 
