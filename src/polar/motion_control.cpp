@@ -170,6 +170,7 @@ double MotionControl::bound(const MotionTask& task, const MotionCandidate& c) co
 /// trajectories are followed only until they cost more than the best so far: the same answer as looking at all.
 Command MotionControl::choose(const MotionTask& task) {
   make_window(task);
+  best_ = {};  // stands if an objective of one's own likes nothing
   const int count = static_cast<int>(speeds_.size() * turns_.size());
   const auto later = [](const Open& a, const Open& b) {
     return a.bound != b.bound ? a.bound > b.bound : a.index > b.index;

@@ -90,6 +90,7 @@ class MotionControl {
  public:
   MotionControl(const Body& body, const MotionControlOptions& options, OwnObjective own = {});
   Command choose(const MotionTask& task);
+  void reset() { best_ = {}; }
   /// The candidate chosen last.
   const MotionCandidate& chosen() const { return best_; }
   /// How far trajectories from here can lead [m].

@@ -68,7 +68,18 @@ void PolarNavigator::reset() {
   trap_.reset();
   direction_.reset();
   subgoal_.reset();
-  if (organiser_) organiser_->reset();
+  control_.reset();
+  predicted_ = {};
+  odometry_from_map_ = {};
+  target_distance_ = 0;
+  target_ring_ = 0;
+  planned_ = &projection_.layer(plan);
+  mapped_ = false;
+  if (!organiser_) return;
+  organiser_->reset();
+  layout_ = PolarLayout(options_.map.layout);
+  finite_volumes(layout_, options_.map.kappa, arranged_);
+  solver_.arrange(layout_, arranged_);
 }
 
 /// One control cycle, as [LM99, System Architecture] lists it.
@@ -110,6 +121,7 @@ NavigatorStep PolarNavigator::arrive(const Observation& observation, const Subgo
 
 /// The map lies around the predicted position with the target in sector 0.
 void PolarNavigator::place_map(const Vec2& target) {
+  mapped_ = true;
   const Vec2 way = target - predicted_.pose.position();
   target_distance_ = way.norm();
   target_ring_ = meander::target_ring(layout_, target_distance_);

@@ -19,8 +19,11 @@ class PolarNavigator {
   PolarNavigator& operator=(const PolarNavigator&) = delete;
 
   NavigatorStep step(const Observation& observation, const Subgoal& subgoal);
+  /// As if new.
   void reset();
 
+  /// Has made a map since it began: what follows tells something.
+  bool mapped() const { return mapped_; }
   // What the last cycle was like, to look inside.
   const PolarOptions& options() const { return options_; }
   const PolarLayout& layout() const { return layout_; }
@@ -70,6 +73,7 @@ class PolarNavigator {
   MotionControl control_;
   TrapEscapes trap_;
 
+  bool mapped_ = false;
   Prediction predicted_;
   Pose2 odometry_from_map_;
   double target_distance_ = 0;

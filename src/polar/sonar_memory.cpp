@@ -30,6 +30,7 @@ SonarMemory::SonarMemory(const Platform& platform, const SonarMemoryOptions& opt
 
 void SonarMemory::clear() {
   newest_ = held_ = 0;
+  beams_.clear();
   for (Scan& scan : ring_) scan.count = 0;
 }
 

@@ -34,6 +34,7 @@ class PolarPainter {
       for (const MemoryPoint& point : polar_.memory().scan(age))
         if (inside(point.position)) dot(point.position, 0.35, faded(colors_.wall, 110));
     for (const MappedPoint& point : polar_.points()) dot(frame_ * point.position, 0.55, colors_.contact);
+    ray();
     way();
     robot(look);
     goals();
@@ -102,6 +103,13 @@ class PolarPainter {
     draw_readings(list_, {transducers, ranges, look.half_cone, look.range_max}, colors_);
   }
 
+  /// The chosen direction as far as activation rises along it: to the subgoal.
+  void ray() {
+    if (const auto& chosen = polar_.subgoal())
+      draw_dashed(list_, {frame_.position(), frame_ * chosen->position}, false, 0.9 * unit_, 0.3 * unit_, colors_.path,
+                  Mark::path);
+  }
+
   /// Steepest ascent from the read-out on, unit after unit: the way that the map means.
   void way() {
     const auto& chosen = polar_.subgoal();
@@ -168,6 +176,8 @@ class PolarPainter {
     disc(0.5, colors_.floor);
     entry("way of steepest ascent");
     bar(0.35, colors_.path);
+    entry("chosen direction, up to the most active unit");
+    for (int dash = -1; dash <= 1; ++dash) bar(0.3, colors_.path, 1.1 * dash, 0.35);
     entry("robot (dashed: its next stop)");
     disc(1.2, colors_.robot);
     entry("echoes of the last scan");
@@ -189,9 +199,12 @@ class PolarPainter {
   void disc(double size, Color color) {
     list_.items.push_back(DrawDisc{{{left_, line_}, size * unit_}, color, Mark::goal});
   }
-  void bar(double width, Color color) {
-    list_.items.push_back(DrawPolyline{
-        {{left_ - 1.3 * unit_, line_}, {left_ + 1.3 * unit_, line_}}, false, width * unit_, color, Mark::path});
+  void bar(double width, Color color, double at = 0, double half = 1.3) {
+    list_.items.push_back(DrawPolyline{{{left_ + (at - half) * unit_, line_}, {left_ + (at + half) * unit_, line_}},
+                                       false,
+                                       width * unit_,
+                                       color,
+                                       Mark::path});
   }
   void square(Color color) { patch({left_ - 1.2 * unit_, line_ - 1.2 * unit_}, 2.4 * unit_, color); }
   void patch(const Vec2& low, double width, Color color) {
@@ -221,8 +234,7 @@ class PolarPainter {
 }  // namespace
 
 DrawList draw_polar(const PolarNavigator& navigator, const RobotLook& look) {
-  if (navigator.memory().beams().empty() || navigator.target().x() <= 0)
-    fail("the navigator has not driven yet: nothing to draw before its first step");
+  if (!navigator.mapped()) fail("the navigator has not driven yet: nothing to draw before its first step");
   const Vec2 centre = navigator.odometry_from_map().position();
   const double scope = navigator.layout().scope();
   DrawList list;

@@ -141,6 +141,7 @@ PolarLook look(const PolarNavigator& polar) {
 std::shared_ptr<const PolarNavigator> inside(const Navigator& navigator) {
   auto inside = polar_inside(navigator);
   if (!inside) fail("navigator \"{}\": only polar navigators can be looked into", navigator.name);
+  if (!inside->mapped()) fail("navigator \"{}\" has not driven yet: there is no map to look into", navigator.name);
   return inside;
 }
 
@@ -170,7 +171,7 @@ void bind_polar(lua_State* L) {
       Doc{.name = "inspect",
           .text = "What the last cycle of a polar navigator was like: map, activation, memory, choice.",
           .returns = "table of what it had before it",
-          .errors = "another kind of navigator",
+          .errors = "another kind of navigator; one that has not driven yet",
           .example =
               EXAMPLE_SIM "n = meander.polar.navigator {} n:step(s.observation, {4, 2}) print(n:inspect().subgoal.x)"});
 }

@@ -182,6 +182,49 @@ TEST(LayoutOrganiser, DrivesWithoutAllocations) {
   EXPECT_NE(polar_inside(navigator)->layout().radii(), fixed);
 }
 
+TEST(LayoutOrganiser, ANavigatorThatIsResetIsAsNew) {
+  PolarOptions options;
+  options.map.layout = {.rings = 40, .sectors = 24, .layout = PolarPlacing::self_organising};
+  const Navigator used = polar_navigator(platform("nomad200"), options);
+  const auto inside = polar_inside(used);
+  const std::vector<double> fixed = inside->layout().radii();
+  const auto drive = [](const Navigator& navigator, std::uint64_t seed, int cycles) {
+    Stream random(seed, "readings");
+    Observation seen;
+    seen.period = 0.33;
+    seen.readings.sonar.resize(16);
+    std::vector<Command> commands;
+    for (int cycle = 0; cycle < cycles; ++cycle) {
+      seen.time += 0.33;
+      seen.odometry.pose.x += 0.05;
+      seen.readings.sonar_pose.assign(16, seen.odometry.pose);
+      for (double& range : seen.readings.sonar) range = random.uniform(1.2, 1.6);
+      commands.push_back(
+          navigator.step(seen, {.position = {100, 1}, .tolerance = 0.25, .heading = {}, .name = {}}).command);
+    }
+    return commands;
+  };
+  EXPECT_FALSE(inside->mapped());
+  drive(used, 1, 120);
+  EXPECT_TRUE(inside->mapped());
+  EXPECT_NE(inside->layout().radii(), fixed);
+  used.reset();
+  EXPECT_FALSE(inside->mapped());
+  EXPECT_EQ(inside->layout().radii(), fixed);
+  EXPECT_EQ(inside->target().x(), 0);
+  EXPECT_EQ(inside->predicted().pose.x, 0);
+  EXPECT_EQ(inside->control().chosen().command.v, 0);
+  const Navigator fresh = polar_navigator(platform("nomad200"), options);
+  for (const int cycles : {1, 2, 60}) {
+    used.reset(), fresh.reset();
+    const std::vector<Command> a = drive(used, 2, cycles), b = drive(fresh, 2, cycles);
+    for (std::size_t k = 0; k < a.size(); ++k) ASSERT_TRUE(a[k].v == b[k].v && a[k].w == b[k].w) << k;
+    for (int ring = 0; ring < 40; ++ring)
+      for (int sector = 0; sector < 24; ++sector)
+        ASSERT_EQ(inside->solver().activation(ring, sector), polar_inside(fresh)->solver().activation(ring, sector));
+  }
+}
+
 TEST(LayoutOrganiser, WantsWeightsThatKnowOfWidths) {
   PolarOptions options;
   options.map.layout.layout = PolarPlacing::self_organising;

@@ -33,6 +33,14 @@ TEST_F(PolarScript, LooksInside) {
       "error: test:1: navigator:inspect: navigator \"potential_field\": only polar navigators can be looked into");
 }
 
+TEST_F(PolarScript, LooksInsideOnlyOnceItHasDriven) {
+  const std::string none =
+      "error: test:1: navigator:inspect: navigator \"polar\" has not driven yet: there is no map to look into";
+  EXPECT_EQ(run("n = meander.polar.navigator {} return n:inspect()"), none);
+  EXPECT_EQ(run("n:step(s.observation, {6, 3}) return n:inspect().target > 4"), "true");
+  EXPECT_EQ(run("n:reset() return n:inspect()"), none);
+}
+
 TEST_F(PolarScript, PartsCanBeWrittenInLua) {
   EXPECT_EQ(
       run("n = meander.polar.navigator { own = {\n"
