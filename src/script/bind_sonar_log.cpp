@@ -22,7 +22,7 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"lines", "", "of the file"}, o.lines);
   visit(Field{"scans", "", "taken"}, o.scans);
   visit(Field{"short_records", "", "columns missing, too many, or no numbers: left out"}, o.short_records);
-  visit(Field{"out_of_order", "", "older than the record before: left out"}, o.out_of_order);
+  visit(Field{"out_of_order", "", "times that do not fit between the others: left out"}, o.out_of_order);
   visit(Field{"bad_ranges", "", "impossible ranges: taken as no echo"}, o.bad_ranges);
   visit(Field{"without_pose", "", "scans before the first pose: left out"}, o.without_pose);
   visit(Field{"other", "", "records of kinds that are not read"}, o.other);

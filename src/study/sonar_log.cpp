@@ -106,12 +106,36 @@ std::optional<std::vector<double>> numbers_at(const std::vector<std::string_view
   };
   for (const std::size_t at : {columns.time, columns.x, columns.y, columns.heading})
     if (!take(at) || !std::isfinite(numbers.back())) return std::nullopt;
+  if (std::abs(numbers.front()) >= kNoTime) return std::nullopt;
   for (const std::size_t at : columns.ranges)
     if (!take(at)) return std::nullopt;
   for (const auto* ring : {&columns.whiskers, &columns.lights})
     for (const std::size_t at : *ring)
       if (!take(at) || !std::isfinite(numbers.back())) return std::nullopt;
   return numbers;
+}
+
+/// The numbers of all records that have them, and when they are from.
+struct Rows {
+  std::vector<std::vector<double>> numbers;
+  std::vector<Stamp> stamps;
+};
+
+Rows rows_of(LogLines& lines, const Columns& columns, const BadRecordCounter& bad, SonarLogReport& report) {
+  Rows rows;
+  while (lines.next()) {
+    if (lines.line().empty()) continue;
+    auto numbers = numbers_at(split(lines.line()), columns);
+    if (!numbers) {
+      bad(report.short_records, lines.number(),
+          fmt::format("{} columns with numbers for time, pose and {} ranges expected, got '{}'", columns.count,
+                      columns.ranges.size(), printable(lines.line())));
+      continue;
+    }
+    rows.stamps.push_back({numbers->front(), lines.number()});
+    rows.numbers.push_back(std::move(*numbers));
+  }
+  return rows;
 }
 
 }  // namespace
@@ -125,30 +149,20 @@ SonarLog sonar_log_from_csv(const std::string& text, const std::string& name, co
   if (!lines.next()) fail<FileError>("{}:1: a head line expected, got nothing", name);
   const Columns columns = columns_of(lines.line(), name);
   log.sonars = static_cast<int>(columns.ranges.size());
-  while (lines.next()) {
-    if (lines.line().empty()) continue;
-    const auto numbers = numbers_at(split(lines.line()), columns);
-    if (!numbers) {
-      bad(log.report.short_records, lines.number(),
-          fmt::format("{} columns with numbers for time, pose and {} ranges expected, got '{}'", columns.count,
-                      log.sonars, printable(lines.line())));
-      continue;
-    }
-    const double time = (*numbers)[0];
-    if (!log.scans.empty() && time < log.scans.back().time) {
-      bad(log.report.out_of_order, lines.number(),
-          fmt::format("time {} is before that of the last record, {}", time, log.scans.back().time));
-      continue;
-    }
+  Rows rows = rows_of(lines, columns, bad, log.report);
+  const std::vector<bool> keep = in_order(rows.stamps, bad, log.report);
+  for (std::size_t row = 0; row < keep.size(); ++row) {
+    if (!keep[row]) continue;
+    const std::vector<double> numbers = std::move(rows.numbers[row]);
     Observation scan;
-    scan.time = time;
-    scan.period = log.scans.empty() ? 0 : time - log.scans.back().time;
-    scan.odometry.pose = {(*numbers)[1], (*numbers)[2], wrap_angle((*numbers)[3])};
-    auto next = numbers->begin() + 4;
+    scan.time = numbers[0];
+    scan.period = log.scans.empty() ? 0 : scan.time - log.scans.back().time;
+    scan.odometry.pose = {numbers[1], numbers[2], wrap_angle(numbers[3])};
+    auto next = numbers.begin() + 4;
     for (std::size_t i = 0; i < columns.ranges.size(); ++i)
-      scan.readings.sonar.push_back(checked_range(*next++, lines.number(), options, bad, log.report));
+      scan.readings.sonar.push_back(checked_range(*next++, rows.stamps[row].line, options, bad, log.report));
     for (std::size_t i = 0; i < columns.whiskers.size(); ++i) scan.readings.whisker.push_back(*next++ != 0);
-    scan.readings.light.assign(next, numbers->end());
+    scan.readings.light.assign(next, numbers.end());
     scan.readings.sonar_pose.assign(scan.readings.sonar.size(), scan.odometry.pose);
     log.scans.push_back(std::move(scan));
   }

@@ -40,7 +40,7 @@ struct SonarLogReport {
   int lines = 0;
   int scans = 0;          ///< taken
   int short_records = 0;  ///< columns missing, too many, or no numbers: left out
-  int out_of_order = 0;   ///< older than the one before: left out
+  int out_of_order = 0;   ///< so few that without them times never fall: left out
   int bad_ranges = 0;     ///< impossible: taken as no echo
   int without_pose = 0;   ///< scans before anything told where the robot was: left out
   int other = 0;          ///< records of kinds that are not read

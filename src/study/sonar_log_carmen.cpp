@@ -15,11 +15,13 @@ constexpr double kUneven = 0.09;  ///< sonars may be so far from even spacing [r
 struct Odom {
   double time;
   Pose2 pose;
+  std::size_t record;
 };
 struct Scan {
   double time;
   int line;
   std::vector<double> ranges;
+  std::size_t record;
 };
 
 std::vector<std::string_view> words_of(std::string_view line) {
@@ -52,6 +54,7 @@ class CarmenReader {
         ++log_.report.other;
     }
     log_.report.lines = lines.number();
+    keep_in_order();
     if (!offsets_.empty()) order();
     pose_scans();
     log_.report.scans = static_cast<int>(log_.scans.size());
@@ -74,16 +77,20 @@ class CarmenReader {
   std::optional<double> time_after(std::size_t end) const {
     if (words_.size() != end + 3) return std::nullopt;
     const auto time = number_in(words_.back());
-    return time && std::isfinite(*time) ? time : std::nullopt;
+    return time && std::abs(*time) < kNoTime ? time : std::nullopt;
   }
-  bool in_order(double time) {
-    if (time >= last_time_) {
-      last_time_ = time;
-      return true;
-    }
-    bad_(log_.report.out_of_order, line_,
-         fmt::format("time {} is before that of the last record, {}", time, last_time_));
-    return false;
+  /// The number of the record that is being read, among those with a time.
+  std::size_t stamped(double time) {
+    stamps_.push_back({time, line_});
+    return stamps_.size() - 1;
+  }
+  void keep_in_order() {
+    const std::vector<bool> keep = in_order(stamps_, bad_, log_.report);
+    const auto late = [&](const auto& one) { return !keep[one.record]; };
+    std::erase_if(odoms_, late);
+    std::erase_if(scans_, late);
+    for (Scan& scan : scans_)
+      for (double& range : scan.ranges) range = checked_range(range, scan.line, options_, bad_, log_.report);
   }
   void short_record(const char* form) {
     bad_(log_.report.short_records, line_, fmt::format("'{}' expected, with numbers", form));
@@ -95,7 +102,7 @@ class CarmenReader {
     if (!values || !time ||
         !std::all_of(values->begin(), values->begin() + 3, [](double v) { return std::isfinite(v); }))
       return short_record("ODOM x y theta tv rv accel ipc_time host logger_time");
-    if (in_order(*time)) odoms_.push_back({*time, {(*values)[0], (*values)[1], wrap_angle((*values)[2])}});
+    odoms_.push_back({*time, {(*values)[0], (*values)[1], wrap_angle((*values)[2])}, stamped(*time)});
   }
 
   void sonar() {
@@ -107,12 +114,9 @@ class CarmenReader {
     const auto time = time_after(3 + 4 * n);
     if (count == 0 || !ranges || !offsets || !time || (log_.sonars && log_.sonars != count))
       return short_record("SONAR cone count ranges... x y theta... ipc_time host logger_time");
-    if (!in_order(*time)) return;
     if (!log_.sonars) offsets_ = *offsets;
     log_.sonars = count;
-    Scan scan{*time, line_, {}};
-    for (const double range : *ranges) scan.ranges.push_back(checked_range(range, line_, options_, bad_, log_.report));
-    scans_.push_back(std::move(scan));
+    scans_.push_back({*time, line_, *ranges, stamped(*time)});
   }
 
   /// Ring order: forward first, counter-clockwise, evenly spaced on a circle; no map reads another.
@@ -133,7 +137,7 @@ class CarmenReader {
       if (std::abs(bearing(by_angle[k]) - ring.first - pitch * static_cast<double>(k)) > kUneven)
         fail<FileError>("{}: {} sonars evenly spaced on a circle expected, sonar {} points to {:.3f} rad", name_, n,
                         by_angle[k], bearing(by_angle[k]));
-      ring.radius += std::hypot(offsets_[3 * k], offsets_[3 * k + 1]) / static_cast<double>(n);
+      ring.radius += Vec2{offsets_[3 * k], offsets_[3 * k + 1]}.norm() / static_cast<double>(n);
     }
     log_.ring = ring;
     for (Scan& scan : scans_) {
@@ -174,7 +178,7 @@ class CarmenReader {
   SonarLog log_;
   std::vector<std::string_view> words_;
   int line_ = 0;
-  double last_time_ = -1e300;
+  std::vector<Stamp> stamps_;
   std::vector<double> offsets_;
   std::vector<Odom> odoms_;
   std::vector<Scan> scans_;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "study/sonar_log.hpp"
 #include "world/text.hpp"
@@ -43,6 +45,35 @@ inline std::optional<double> number_in(std::string_view word) {
   return value;
 }
 
+/// From there on doubles do not tell the cycles of a robot apart [s].
+constexpr double kNoTime = 1e15;
+
+/// When something was recorded, and where that stands.
+struct Stamp {
+  double time;
+  int line;
+};
+
+/// Which records to keep so that as many as possible are in order: one that is far off is left out, never what follows
+/// it. Of two that exclude each other the later goes.
+inline std::vector<bool> longest_in_order(const std::vector<Stamp>& stamps) {
+  constexpr std::size_t kNone = ~std::size_t{0};
+  std::vector<std::size_t> first;  // first[n]: of the chains of n + 1 records the one that begins latest
+  std::vector<std::size_t> next(stamps.size(), kNone);
+  for (std::size_t i = stamps.size(); i-- > 0;) {
+    const auto at = std::partition_point(first.begin(), first.end(),
+                                         [&](std::size_t k) { return stamps[k].time >= stamps[i].time; });
+    if (at != first.begin()) next[i] = *(at - 1);
+    if (at == first.end())
+      first.push_back(i);
+    else
+      *at = i;
+  }
+  std::vector<bool> keep(stamps.size());
+  for (std::size_t i = first.empty() ? kNone : first.back(); i != kNone; i = next[i]) keep[i] = true;
+  return keep;
+}
+
 /// Counts a record that cannot be right, or refuses it: FileError "name:line: what".
 class BadRecordCounter {
  public:
@@ -56,6 +87,27 @@ class BadRecordCounter {
   std::string name_;
   BadRecords bad_;
 };
+
+/// Which records are in order; the others count, and are told after which or before which record they cannot be.
+inline std::vector<bool> in_order(const std::vector<Stamp>& stamps, const BadRecordCounter& bad,
+                                  SonarLogReport& report) {
+  const std::vector<bool> keep = longest_in_order(stamps);
+  std::size_t last = stamps.size(), next = 0;
+  for (std::size_t i = 0; i < stamps.size(); ++i) {
+    const auto [time, line] = stamps[i];
+    if (keep[i]) last = i;
+    for (next = std::max(next, i); next < stamps.size() && !keep[next]; ++next) {
+    }
+    if (keep[i]) continue;
+    if (last < i && time < stamps[last].time)
+      bad(report.out_of_order, line,
+          fmt::format("time {} is before that of the last record, {}", time, stamps[last].time));
+    else
+      bad(report.out_of_order, line,
+          fmt::format("time {} is after that of the next record, {}", time, stamps[next].time));
+  }
+  return keep;
+}
 
 /// A range as robots see it: impossible ones count, and become no echo.
 inline double checked_range(double range, int line, const SonarLogOptions& options, const BadRecordCounter& bad,

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/atomic_file.hpp"
+#include "base/random.hpp"
 #include "own_folder.hpp"
 
 namespace meander {
@@ -97,6 +98,45 @@ TEST(SonarLogCsv, TakesTheMarkBeforeUtf8) {
   EXPECT_EQ(sonar_log_from_csv("\xEF\xBB\xBFtime,x,y,heading,s1\n0,0,0,0,1\n", "a.csv").scans.size(), 1U);
 }
 
+TEST(SonarLogCsv, ATimeFarOffIsBlamedAndNotWhatFollowsIt) {
+  const std::string head = "time,x,y,heading,s1\n", rest = "1,0,0,0,1\n2,0,0,0,1\n3,0,0,0,1\n";
+  for (const std::string wrong : {"1e9,0,0,0,1\n", "-1e9,0,0,0,1\n", "1e300,0,0,0,1\n"})
+    for (const std::string& text : {head + wrong + rest, head + "0,0,0,0,1\n0,0,0,0,1\n" + wrong + rest}) {
+      const SonarLog log = sonar_log_from_csv(text, "a.csv");
+      // Nothing contradicts a first record that is much too early.
+      const int left_out = log.report.out_of_order + log.report.short_records;
+      EXPECT_EQ(left_out, wrong[0] == '-' && text.find(wrong) == head.size() ? 0 : 1) << text;
+      EXPECT_EQ(log.scans.back().time, 3) << text;
+    }
+  EXPECT_EQ(refusal_of_csv(head + "0,0,0,0,1\n1e9,0,0,0,1\n" + rest),
+            "a.csv:3: time 1000000000 is after that of the next record, 1");
+  EXPECT_EQ(refusal_of_csv(head + rest + "2.5,0,0,0,1\n4,0,0,0,1\n"),
+            "a.csv:5: time 2.5 is before that of the last record, 3");
+}
+
+TEST(SonarLogCsv, KeepsAsManyRecordsInOrderAsThereAre) {
+  Stream draw(2000, "times");
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<double> times(10);
+    std::string text = "time,x,y,heading,s1\n";
+    for (double& time : times) {
+      time = std::floor(draw.uniform(0, 8));
+      text += fmt::format("{},0,0,0,1\n", time);
+    }
+    std::size_t most = 0;
+    for (unsigned subset = 0; subset < 1024; ++subset) {
+      std::vector<double> kept;
+      for (std::size_t i = 0; i < times.size(); ++i)
+        if (subset >> i & 1) kept.push_back(times[i]);
+      if (std::is_sorted(kept.begin(), kept.end())) most = std::max(most, kept.size());
+    }
+    const SonarLog log = sonar_log_from_csv(text, "a.csv");
+    EXPECT_EQ(log.scans.size(), most) << text;
+    EXPECT_EQ(log.report.out_of_order, 10 - static_cast<int>(most));
+    EXPECT_TRUE(std::is_sorted(log.scans.begin(), log.scans.end(), [](auto& a, auto& b) { return a.time < b.time; }));
+  }
+}
+
 /// Four sonars, listed clockwise from behind.
 constexpr const char* kOffsets = " -0.2 0 3.14159 0 0.2 1.5708 0.2 0 0 0 -0.2 -1.5708";
 
@@ -135,6 +175,15 @@ TEST(SonarLogCarmen, CountsOrRefusesWhatCannotBeRight) {
   // A ring that no map can read is never taken.
   EXPECT_THROW(sonar_log_from_carmen(odom_line(0, 0) + "SONAR 0.26 2 1 2 0.2 0 0 0.2 0 0.3 1 h 1\n", "a.log"),
                FileError);
+}
+
+TEST(SonarLogCarmen, ATimeFarOffIsBlamedAndNotWhatFollowsIt) {
+  std::string text = odom_line(0, 1);
+  for (const double time : {2.0, 1e9, 3.0, 4.0, 5.0}) text += sonar_line("1 2 3 4", time) + odom_line(time, time);
+  const SonarLog log = sonar_log_from_carmen(text, "a.log");
+  EXPECT_EQ(log.report.scans, 4);
+  EXPECT_EQ(log.report.out_of_order, 2);
+  EXPECT_EQ(log.scans.back().time, 5);
 }
 
 TEST(SonarLogFile, SuffixesTellTheKind) {
