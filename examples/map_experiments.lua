@@ -11,15 +11,17 @@ local rooms = require "meander.sonar_rooms"
 
 local options = require "meander.arguments" {
   about = "repeats the experiments of [CN] on maps of sonar readings",
-  { "--seeds N", default = 12, help = "rooms per preset" },
-  { "--first-seed S", default = 2000, help = "their seeds begin here; nothing was trained or tuned on 1000 and more" },
+  { "--seeds N", default = 12, least = 1, help = "rooms per preset" },
+  { "--first-seed S", default = 2000, least = 0, help = "their seeds begin here; nothing was trained or tuned on 1000 and more" },
   { "--preset NAMES", default = "ideal,real", help = "sonar presets, with commas" },
   { "--model NAMES", default = "all", help = "sensor models, with commas, or all" },
   { "--experiment NAMES", default = "all", help = "direction, robustness, adaptability, rotation, fused, or all" },
-  { "--against NAME", default = "elfes", help = "the model that the others are compared with in pairs" },
-  { "--places N", default = 3, help = "places per room where the robot stands" },
-  { "--drive SECONDS", default = 40.0, help = "length of the drive" },
-  { "--threshold P", default = 0.5, help = "probability above which a cell is an obstacle, for errors by direction" },
+  { "--against NAME", default = "elfes", values = meander.mapping.models(),
+    help = "the one of --model that the others are compared with in pairs" },
+  { "--places N", default = 3, least = 1, help = "places per room where the robot stands" },
+  { "--drive SECONDS", default = 40.0, above = 0, help = "length of the drive" },
+  { "--threshold P", default = "0.5",
+    help = "probability above which a cell is an obstacle, for errors by direction; also by model: nn4=0.95,ros=0.5" },
   { "--jobs N", default = 0, help = "worker processes; 0: one per core" },
   { "--json", help = "one JSON object per experiment, preset and model" },
   { "--out DIR", default = "", help = "folder for the reliability curves; none when empty" },
@@ -33,8 +35,27 @@ local models = candidates.chosen(options.model, meander.mapping.models(), "model
 local presets = candidates.chosen(options.preset, { "ideal", "real" }, "preset")
 local known = { "direction", "robustness", "adaptability", "rotation", "fused" }
 local experiments = candidates.chosen(options.experiment, known, "experiment")
-if options.seeds < 1 then report.usage_error("--seeds: at least 1 expected, got " .. options.seeds) end
-if options.first_seed < 0 then report.usage_error("--first-seed: at least 0 expected, got " .. options.first_seed) end
+
+-- Thresholds by model: one number for all, or one for each that is named and 0.5 for the others.
+local function thresholds_in(text)
+  local thresholds = setmetatable({}, { __index = function() return tonumber(text) or 0.5 end })
+  local function put(value, word)
+    local p = tonumber(value)
+    if not p or p < 0.01 or p > 0.99 then
+      report.usage_error("--threshold: a probability from 0.01 to 0.99 or model=probability expected, got '" .. word .. "'")
+    end
+    return p
+  end
+  if tonumber(text) then put(text, text) return thresholds end
+  for word in (text .. ","):gmatch "([^,]*)," do
+    local name, value = word:match "^%s*([%w_]+)%s*=%s*(%S+)%s*$"
+    if not name then put(nil, word) end
+    local p = put(value, word)
+    for _, model in ipairs(candidates.chosen(name, meander.mapping.models(), "model")) do thresholds[model] = p end
+  end
+  return thresholds
+end
+local thresholds = thresholds_in(options.threshold)
 
 local wanted = {}
 for _, name in ipairs(experiments) do wanted[name] = true end
@@ -101,7 +122,7 @@ local function standing(results, room, preset, seed, place)
   local truth = meander.study.map_truth(maps[models[1]], sim):all()
   local first = copies(maps)
   for _, model in ipairs(models) do
-    note(results, "robustness", "viewbin", model, score_figures(meander.study.map_score(maps[model], sim, { threshold = options.threshold })))
+    note(results, "robustness", "viewbin", model, score_figures(meander.study.map_score(maps[model], sim, { threshold = thresholds[model] })))
   end
   stand(sim, maps, kScans - 1)
   local last = copies(maps)
@@ -188,10 +209,11 @@ local function driving(results, room, preset, seed)
       if cycles % 20 > 0 then return end
       for fusion, maps in pairs(both) do
         for _, model in ipairs(models) do
-          local score = meander.study.map_score(maps[model], sim, { threshold = options.threshold })
+          local score = meander.study.map_score(maps[model], sim, { threshold = thresholds[model] })
           local figures = score_figures(score)
           note(results, "fused", fusion, model, figures)
-          note(results, "direction", fusion, model, { error_cm = figures.error_cm })
+          note(results, "direction", fusion, model,
+            { error_cm = figures.error_cm, missed = score.missed, phantom = score.phantom })
           if fusion == "viewbin" then results.bins = results.bins or {} end
           if results.bins and fusion == "viewbin" then
             local bins = results.bins[model] or {}
@@ -235,7 +257,7 @@ local function trial(preset, seed)
 end
 
 local figure_names = {
-  direction = { "error_cm" },
+  direction = { "error_cm", "missed", "phantom" },
   robustness = { "flipped", "ce", "brier", "auc" },
   adaptability = { "scans_to_half", "scans_to_clear", "first_update" },
   rotation = { "flipped" },
@@ -259,8 +281,8 @@ end
 local function rounded(value) return candidates.rounded(value, 4) end
 
 local function row(trials, experiment, preset, fusion, model)
-  local line = { experiment = experiment, preset = preset, model = model, fusion = fusion, n = #trials }
-  local keys = { "experiment", "preset", "model", "fusion", "n" }
+  local line = { experiment = experiment, preset = preset, model = model, fusion = fusion, rooms = #trials }
+  local keys = { "experiment", "preset", "model", "fusion", "rooms" }
   local function put(key, value)
     line[key] = value
     keys[#keys + 1] = key
@@ -272,6 +294,7 @@ local function row(trials, experiment, preset, fusion, model)
       put(name, rounded(value))
       put(name .. "_low", rounded(low))
       put(name .. "_high", rounded(high))
+      put(name .. "_n", #values)
       if k == 1 and model ~= options.against then
         local a, b = column(trials, experiment, fusion, name, model, options.against)
         if #a > 0 then
@@ -280,6 +303,7 @@ local function row(trials, experiment, preset, fusion, model)
           put("difference", rounded(difference))
           put("difference_low", rounded(least))
           put("difference_high", rounded(most))
+          put("difference_n", #a)
         end
       end
     end
@@ -290,7 +314,10 @@ end
 local function say(line)
   local text = ("%-13s %-6s %-8s %-7s"):format(line.experiment, line.preset, line.model, line.fusion)
   for _, name in ipairs(figure_names[line.experiment]) do
-    if line[name] then text = text .. (" %s %.4g (%.4g, %.4g)"):format(name, line[name], line[name .. "_low"], line[name .. "_high"]) end
+    if line[name] then
+      text = text .. (" %s %.4g (%.4g, %.4g)"):format(name, line[name], line[name .. "_low"], line[name .. "_high"])
+      if line[name .. "_n"] < line.rooms then text = text .. " in " .. line[name .. "_n"] .. " of " .. line.rooms end
+    end
   end
   if line.difference then
     text = text .. (" | against %s %+.3g (%+.3g, %+.3g)"):format(
