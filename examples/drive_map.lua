@@ -16,21 +16,21 @@ local report = require "meander.report"
 
 local options = require "meander.arguments" {
   about = "drives through any importable map; of two or more points the first is the start",
-  { "--seed N", default = 7, help = "seed of all random streams; the first of several" },
-  { "--seeds N", default = 1, help = "runs of each navigator" },
+  { "--seed N", default = 7, least = 0, most = 1000000000, help = "seed of all random streams; the first of several" },
+  { "--seeds N", default = 1, least = 1, most = 1000000, help = "runs of each navigator" },
   { "--json", help = "one JSON object instead of text" },
   { "--out DIR", default = "out", help = "folder of the picture and the record" },
   { "--heading DEG", default = 0.0, help = "heading at the start, in degrees" },
-  { "--resolution M", default = 0.05, help = "metres per pixel of a plain image" },
+  { "--resolution M", default = 0.05, above = 0, help = "metres per pixel of a plain image" },
   { "--unknown HOW", default = "auto", values = { "auto", "free", "occupied" }, help = "unknown cells of a ROS map" },
-  { "--index N", default = 0, help = "which world of a BARN file" },
+  { "--index N", default = 0, least = 0, help = "which world of a BARN file" },
   { "--navigator NAMES", default = "polar", help = "who drives; with --seeds also several with commas, or all" },
   { "--robot NAME", default = "nomad200", values = meander.robot.platforms(), help = "kind of robot" },
-  { "--radius M", default = 0.0, help = "of its body, with the rings on it; 0: its own" },
+  { "--radius M", default = 0.0, least = 0, most = 10, help = "of its body, with the rings on it; 0: its own" },
   { "--sonar NAME", default = "nomad", values = meander.sensor.sonars(), help = "sonar preset" },
-  { "--tolerance M", default = 0.25, help = "a point is reached from so far" },
-  { "--jobs N", default = 0, help = "worker processes; 0: one per core" },
-  { "--time-limit S", default = 600.0, help = "simulated seconds until the drive is given up" },
+  { "--tolerance M", default = 0.25, above = 0, most = 1000000, help = "a point is reached from so far" },
+  { "--jobs N", default = 0, least = 0, most = 1024, help = "worker processes; 0: one per core" },
+  { "--time-limit S", default = 600.0, above = 0, most = 1000000000, help = "simulated seconds until the drive is given up" },
   { "MAP", help = "map file" },
   { "X Y ...", help = "points in metres", rest = true },
 }
@@ -53,9 +53,8 @@ end
 
 local goals = points(options.rest)
 local navigators = candidates.chosen(options.navigator, meander.autonomy.navigators(), "navigator")
-if options.seeds < 1 then report.usage_error("--seeds: at least 1 expected, got " .. options.seeds) end
 if options.seeds == 1 and #navigators > 1 then report.usage_error "--navigator: several are compared with --seeds N only" end
-local world, notes = meander.world.import(options.MAP, {
+local world, notes = report.try(report.failure, nil, meander.world.import, options.MAP, {
   resolution = options.resolution, unknown = options.unknown, index = options.index,
 })
 for _, line in ipairs(notes) do io.stderr:write(line, "\n") end
@@ -70,7 +69,6 @@ end
 for i, goal in ipairs(goals) do goals[i] = { x = goal[1], y = goal[2], tolerance = options.tolerance } end
 
 local robot = { preset = options.robot }
-if options.radius < 0 then report.usage_error("--radius: at least 0 m expected, got " .. options.radius) end
 if options.radius > 0 then
   robot.body, robot.bumper = { radius = options.radius }, { radius = options.radius }
   robot.sonar = { radius = 0.86 * options.radius }
@@ -82,6 +80,9 @@ local function drive(navigator, seed, from, more)
   for key, value in pairs(more) do how[key] = value end
   return sim:drive(how)
 end
+
+-- Where something of this cannot be, a drive of no time says so.
+report.try(report.usage_error, nil, drive, navigators[1], options.seed, start, { time_limit = 0, record_every = 0 })
 
 if options.seeds == 1 then
   report.run("drive_map", drive(navigators[1], options.seed, start, {}), options)

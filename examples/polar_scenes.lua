@@ -16,16 +16,19 @@ local options = require "meander.arguments" {
   { "--scene NAMES", default = "all", help = "one or several with commas, or all" },
   { "--navigator NAMES", default = "polar", help = "one or several with commas, or all" },
   { "--options TEXT", default = "", help = "options of the navigator, as in a Lua table" },
-  { "--seeds N", default = 20, help = "trials per scene; seeds without a feasible scene are passed over" },
-  { "--first-seed S", default = 2000, help = "their seeds begin here; the navigators were tuned on 1 to 1000" },
-  { "--sonar NAME", default = "nomad", help = "ideal, nomad, real or crosstalk: real, in pairs that hear each other" },
-  { "--drift SHARE", default = 0.0, help = "odometry tells ways wrong by so much, either way" },
-  { "--turn-drift SHARE", default = 0.0, help = "and turns" },
-  { "--jitter SHARE", default = 0.0, help = "standard deviation of the control period" },
-  { "--delay CYCLES", default = 0, help = "commands take effect so much later" },
+  { "--seeds N", default = 20, least = 1, most = 1000000, help = "trials per scene; seeds without a feasible scene are passed over" },
+  {
+    "--first-seed S", default = 2000, least = 0, most = 1000000000,
+    help = "their seeds begin here; the navigators were tuned on 1 to 1000",
+  },
+  { "--sonar NAME", default = "nomad", values = trials.sonars, help = "crosstalk is real, in pairs that hear each other" },
+  { "--drift SHARE", default = 0.0, least = 0, most = 0.9, help = "odometry tells ways wrong by so much, either way" },
+  { "--turn-drift SHARE", default = 0.0, least = 0, most = 0.9, help = "and turns" },
+  { "--jitter SHARE", default = 0.0, least = 0, most = 1, help = "standard deviation of the control period" },
+  { "--delay CYCLES", default = 0, least = 0, most = 1000, help = "commands take effect so much later" },
   { "--list", help = "tells the names of the scenes" },
   { "--json", help = "one JSON object per scene and navigator instead of text" },
-  { "--jobs N", default = 0, help = "worker processes; 0: one per core" },
+  { "--jobs N", default = 0, least = 0, most = 1024, help = "worker processes; 0: one per core" },
   { "--out DIR", default = "", help = "folder for pictures of the runs; none when empty" },
 }
 
@@ -33,10 +36,11 @@ local chosen, column, sum, median = candidates.chosen, candidates.column, candid
 
 local keys = {
   "scene", "navigator", "n", "reached", "contacts", "fault_contacts", "trapped", "time_median", "length_median",
-  "cycle_us_median",
+  "cycle_us_median", "pictures",
 }
 
-local navigator_of = candidates.maker(options.options)
+local navigators = chosen(options.navigator, meander.autonomy.navigators(), "navigator")
+local navigator_of = candidates.maker(options.options, navigators, "nomad200")
 
 local function trials_of(name, navigator)
   local which = { count = options.seeds, first_seed = options.first_seed, jobs = options.jobs }
@@ -58,12 +62,12 @@ local function say(name, navigator, runs, looked_at)
   local contacts, faults = math.tointeger(sum(column(runs, "contacts"))), math.tointeger(sum(column(runs, "fault_contacts")))
   local time, time_low, time_high = median(column(runs, "time", arrived))
   local length, length_low, length_high = median(column(runs, "length", arrived))
-  local cycle = median(column(runs, "cycle_us"))
+  local cycle, pictures = median(column(runs, "cycle_us")), column(runs, "picture")
   if options.json then
     print(json.encode({
       scene = name, navigator = navigator, n = count, reached = reached, contacts = contacts, fault_contacts = faults,
       trapped = trapped, time_median = candidates.rounded(time, 3), length_median = candidates.rounded(length, 3),
-      cycle_us_median = candidates.rounded(cycle, 2),
+      cycle_us_median = candidates.rounded(cycle, 2), pictures = pictures[1] and pictures,
     }, keys))
     return
   end
@@ -79,16 +83,14 @@ local function say(name, navigator, runs, looked_at)
       time, time_low, time_high, length, length_low, length_high))
   end
   print(("  cycle     %.1f us of navigator and guide"):format(cycle))
+  if #pictures > 0 then print(("  pictures  %d: %s to %s"):format(#pictures, pictures[1], pictures[#pictures])) end
 end
 
 if options.list then
   for _, name in ipairs(scenes.names()) do print(("%-18s %s"):format(name, scenes.text(name))) end
   os.exit(0, true)
 end
-trials.check(options)
-if options.delay < 0 then report.usage_error("--delay: at least 0 expected, got " .. options.delay) end
-chosen(options.sonar, trials.sonars, "sonar")
-for _, navigator in ipairs(chosen(options.navigator, meander.autonomy.navigators(), "navigator")) do
+for _, navigator in ipairs(navigators) do
   for _, name in ipairs(chosen(options.scene, scenes.names(), "scene")) do
     say(name, navigator, trials_of(name, navigator))
   end

@@ -72,11 +72,14 @@ local options = require "meander.arguments" {
   about = "compares the polar navigator with itself under disturbances and without its parts",
   { "--variant NAMES", default = "all", help = "one or several with commas, or all" },
   { "--scene NAMES", default = "", help = "one or several with commas, or all; the variant's own when empty" },
-  { "--seeds N", default = 20, help = "pairs of runs per scene" },
-  { "--first-seed S", default = 2000, help = "their seeds begin here; the navigators were tuned on 1 to 1000" },
+  { "--seeds N", default = 20, least = 1, most = 1000000, help = "pairs of runs per scene" },
+  {
+    "--first-seed S", default = 2000, least = 0, most = 1000000000,
+    help = "their seeds begin here; the navigators were tuned on 1 to 1000",
+  },
   { "--list", help = "tells the names of the variants" },
   { "--json", help = "one JSON object per variant and scene instead of text" },
-  { "--jobs N", default = 0, help = "worker processes; 0: one per core" },
+  { "--jobs N", default = 0, least = 0, most = 1024, help = "worker processes; 0: one per core" },
   { "--out DIR", default = "", help = "not used: there are no pictures" },
 }
 
@@ -115,9 +118,10 @@ local function say(variant, scene, before, after)
     time_difference_low = candidates.rounded(low, 2), time_difference_high = candidates.rounded(high, 2),
   }
   if options.json then return print(json.encode(line, keys)) end
-  print(("  %-17s reached %3d -> %3d of %d, own contacts %d -> %d, time %6.1f -> %6.1f s, %+.1f s (%+.1f to %+.1f)")
-    :format(scene, line.reached, line.reached_changed, line.n, line.fault_contacts, line.fault_contacts_changed, a, b, mean,
-      low, high))
+  local time = a == a and ("time %6.1f -> %6.1f s, %+.1f s (%+.1f to %+.1f)"):format(a, b, mean, low, high)
+    or "no pair in which both arrive"
+  print(("  %-17s reached %3d -> %3d of %d, own contacts %d -> %d, %s"):format(
+    scene, line.reached, line.reached_changed, line.n, line.fault_contacts, line.fault_contacts_changed, time))
 end
 
 -- The runs of one way: a setting with the navigator's options in it.
@@ -147,7 +151,6 @@ if options.list then
   for _, entry in ipairs(list) do print(("%-18s %s"):format(entry[1], entry[3])) end
   os.exit(0, true)
 end
-trials.check(options)
 local wanted = {}
 for _, name in ipairs(candidates.chosen(options.variant, names, "variant")) do wanted[name] = true end
 local standard = {} -- runs of the navigator as it is, by scene

@@ -12,16 +12,17 @@ local scenes = require "meander.scenes"
 local options = require "meander.arguments" {
   about = "angles between the direction read off the polar map and the shortest way's",
   { "--scene NAMES", default = "clutter_10,u_trap,office", help = "where the maps come from" },
-  { "--seeds N", default = 5, help = "drives per scene" },
-  { "--first-seed S", default = 2000, help = "their seeds begin here" },
-  { "--every N", default = 20, help = "cycles from map to map" },
-  { "--cycles N", default = 120, help = "cycles of a drive" },
-  { "--sectors N", default = 48, help = "of the polar map" },
+  { "--seeds N", default = 5, least = 1, most = 1000000, help = "drives per scene" },
+  { "--first-seed S", default = 2000, least = 0, most = 1000000000, help = "their seeds begin here" },
+  { "--every N", default = 20, least = 1, most = 1000000, help = "cycles from map to map" },
+  { "--cycles N", default = 120, least = 1, most = 1000000, help = "cycles of a drive" },
+  { "--sectors N", default = 48, least = 8, most = 256, help = "of the polar map" },
   { "--json", help = "one JSON object per kind of weights instead of text" },
   { "--out DIR", default = "", help = "not used: there are no pictures" },
 }
-if options.seeds < 1 then report.usage_error("--seeds: at least 1 expected, got " .. options.seeds) end
-if options.every < 1 then report.usage_error("--every: at least 1 expected, got " .. options.every) end
+if options.every > options.cycles then
+  report.usage_error(("--every: at most --cycles, %d, expected, got %d: no maps would be taken"):format(options.cycles, options.every))
+end
 
 local kinds = {
   { "finite volume, kappa 30", { kappa = 30 } }, { "finite volume, kappa 20", { kappa = 20 } },
@@ -154,9 +155,11 @@ for _, name in ipairs(candidates.chosen(options.scene, scenes.names(), "scene"))
   end
 end
 
+if maps == 0 then report.failure "no maps were taken: no way to the subgoal in any, or the seeds have no such scene" end
+
 local function quantile(values, share)
   table.sort(values)
-  return values[math.max(1, math.ceil(share * #values))] or 0 / 0
+  return values[math.max(1, math.ceil(share * #values))]
 end
 
 for i, kind in ipairs(kinds) do

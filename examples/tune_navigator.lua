@@ -15,12 +15,12 @@ local options = require "meander.arguments" {
   about = "tunes the options of a navigator",
   { "--navigator NAME", default = "vfh_plus", help = "vfh_plus, dynamic_window, tangent_bug or potential_field" },
   { "--scene NAMES", default = "all", help = "one or several with commas, or all" },
-  { "--rounds N", default = 20, help = "rounds of the search" },
-  { "--mutants N", default = 5, help = "tried per round" },
-  { "--seeds N", default = 3, help = "trials per scene and round" },
-  { "--seed N", default = 7, help = "seed of the search" },
+  { "--rounds N", default = 20, least = 1, most = 1000000, help = "rounds of the search" },
+  { "--mutants N", default = 5, least = 1, most = 1000, help = "tried per round" },
+  { "--seeds N", default = 3, least = 1, most = 500, help = "trials per scene and round" },
+  { "--seed N", default = 7, least = 0, most = 1000000000, help = "seed of the search" },
   { "--json", help = "one JSON object per round instead of text" },
-  { "--jobs N", default = 0, help = "worker processes; 0: one per core" },
+  { "--jobs N", default = 0, least = 0, most = 1024, help = "worker processes; 0: one per core" },
 }
 
 -- What is tuned: the default, and the least and largest value. A name with a dot is an option in a table of options.
@@ -162,7 +162,7 @@ for i, entry in ipairs(space) do best[i] = entry[2] end
 for round = 1, options.rounds do
   local points = { best }
   for i = 1, options.mutants do points[i + 1] = mutant(best) end
-  local means = scores(points, 1 + (round - 1) * options.seeds % 1000)
+  local means = scores(points, 1 + (round - 1) * options.seeds % (1000 - options.seeds))
   local winner = 1
   for p = 2, #points do
     if means[p] > means[winner] then winner = p end

@@ -4,7 +4,7 @@
 --
 --   local options = require "meander.arguments" {
 --     about = "drives a robot through the office",
---     { "--seed N", default = 7, help = "seed of all random streams" },
+--     { "--seed N", default = 7, least = 0, most = 1000, help = "seed of all random streams" },
 --     { "--robot NAME", default = "scout", values = { "scout", "nomad200" }, help = "kind of robot" },
 --     { "--json", help = "one JSON object per line instead of text" },
 --     { "--out DIR", default = "out", help = "where pictures go" },
@@ -14,8 +14,8 @@
 --   print(options.seed, options.json, options.MAP, options.rest[1])
 --
 -- An option with values takes no other words; --help lists them. A default that is a number makes the option a number, a
--- whole one if it is whole; an option without a placeholder is a flag. --help prints the table and ends the script; a
--- mistake ends it with one line and exit code 2.
+-- whole one if it is whole, from `least` to `most` or more than `above`. An option without a placeholder is a flag. --help
+-- prints the table and ends the script; a mistake ends it with one line and exit code 2.
 
 local did_you_mean = meander.did_you_mean
 
@@ -61,12 +61,24 @@ local function usage(spec)
   return table.concat(words, " ") .. "\n" .. (spec.about and spec.about .. "\n" or "") .. table.concat(lines, "\n")
 end
 
--- The number in a text: a whole one where the default is whole.
-local function number(text, default, what)
+-- What is asked of a number, or nil: "1 to 1000", "at least 0", "more than 0".
+local function range(entry)
+  if entry.least and entry.most then return ("%s to %s"):format(entry.least, entry.most) end
+  if entry.above and entry.most then return ("more than %s, at most %s"):format(entry.above, entry.most) end
+  return entry.least and "at least " .. entry.least or entry.above and "more than " .. entry.above
+    or entry.most and "at most " .. entry.most
+end
+
+-- The number in a text: a whole one where the default is whole, within the range of its entry.
+local function number(text, entry, what)
+  local default = entry.default
   local value = tonumber(text)
   local whole = math.type(default) == "integer"
   if not value or value ~= value or value == math.huge or value == -math.huge or (whole and not math.tointeger(value)) then
     leave(("%s: a %s expected, got '%s'"):format(what, whole and "whole number" or "number", text), 2)
+  end
+  if value < (entry.least or value) or value > (entry.most or value) or (entry.above and value <= entry.above) then
+    leave(("%s: %s expected, got %s"):format(entry[1]:match "^%S+", range(entry), text), 2)
   end
   return whole and math.tointeger(value) or value
 end
@@ -82,7 +94,7 @@ end
 -- What the text behind an option, or in its place, stands for.
 local function value_of(text, entry, what)
   if entry.values then return choice(text, entry.values, what) end
-  return type(entry.default) == "number" and number(text, entry.default, what) or text
+  return type(entry.default) == "number" and number(text, entry, what) or text
 end
 
 local function option(plan, values, words, i)

@@ -22,16 +22,20 @@ function candidates.chosen(text, known, what)
   return list
 end
 
---- A function that makes a navigator by name for a robot, with the options written in `text` as in a Lua table.
-function candidates.maker(text)
-  local options = load("return {" .. text .. "}", "--options", "t", {})
+--- A function that makes a navigator by name for a robot, with the options written in `text` as in a Lua table. Ends the
+--- script when one of the navigators in `names` does not take them.
+function candidates.maker(text, names, robot)
+  local words = setmetatable({}, { __index = function(_, word) error("unknown word '" .. tostring(word) .. "'", 0) end })
+  local options = load("return {" .. text .. "}", "--options", "t", words)
   if not options then report.usage_error("--options: 'name = value, ...' expected, got '" .. text .. "'") end
-  return function(name, robot)
+  local function make(name, for_robot)
     if text == "" then return name end
     local table = options()
-    table.robot = robot
+    table.robot = for_robot
     return meander.polar[name == "polar" and "navigator" or name](table)
   end
+  for _, name in ipairs(names) do report.try(report.usage_error, "--options", make, name, robot) end
+  return make
 end
 
 --- The values of one key, of all runs or those that `keep` wants.

@@ -18,6 +18,14 @@ function report.usage_error(text) leave(text, 2) end
 --- Ends the script with one line on stderr and exit code 1: what was asked for cannot be done.
 function report.failure(text) leave(text, 1) end
 
+--- What a function returns; where it fails, `leave`, one of the two above, is told what is wrong, after `what` (optional)
+--- and without the place in the code.
+function report.try(leave_with, what, f, ...)
+  local results = table.pack(pcall(f, ...))
+  if results[1] then return table.unpack(results, 2, results.n) end
+  leave_with((what and what .. ": " or "") .. tostring(results[2]):gsub("^[^:]*:%d+: ", ""))
+end
+
 --- The path of a file in the folder that --out names; the folder is made when it is not there.
 function report.path(options, name)
   meander.make_folder(options.out)

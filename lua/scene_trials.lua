@@ -4,7 +4,6 @@
 --
 --   local trials = require "meander.scene_trials"
 --   local runs = trials.over("u_trap", "polar", { count = 20, first_seed = 1, jobs = 0 }, { drift = 0.05 })
-local report = require "meander.report"
 local scenes = require "meander.scenes"
 
 local trials = {}
@@ -40,6 +39,7 @@ function trials.drive(name, navigator, seed, setting)
   return {
     success = run.success, contacts = run.contacts, fault_contacts = run.fault_contacts, trapped = run.trapped,
     time = run.time, length = run.length, clearance = run.clearance_min, cycle_us = 1e6 * run.cpu_per_cycle,
+    picture = setting.picture,
   }
 end
 
@@ -62,12 +62,6 @@ function trials.over(name, navigator, which, setting)
     end
   end
   return runs, seed - which.first_seed
-end
-
---- Ends the script when --seeds or --first-seed make no sense.
-function trials.check(options)
-  if options.seeds < 1 then report.usage_error("--seeds: at least 1 expected, got " .. options.seeds) end
-  if options.first_seed < 0 then report.usage_error("--first-seed: at least 0 expected, got " .. options.first_seed) end
 end
 
 return trials
