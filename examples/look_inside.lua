@@ -9,25 +9,19 @@ local report = require "meander.report"
 
 local options = require "meander.arguments" {
   about = "looks into one cycle of the polar navigator",
-  { "--after SECONDS", default = 6.0, help = "drives so long before it looks" },
+  { "--after SECONDS", default = 6.0, least = 0, help = "drives so long before it looks" },
   { "--world FILE", default = "worlds/u_trap.toml", help = "where it drives, from the world's start" },
   { "--subgoal NAME", default = "goal", help = "a place of the world" },
-  { "--memory N", default = 10, help = "scans that are remembered" },
-  { "--seed N", default = 1, help = "seed of all random streams" },
+  { "--memory N", default = 10, least = 1, most = 1000, help = "scans that are remembered" },
+  { "--seed N", default = 1, least = 0, most = 1000000000, help = "seed of all random streams" },
   { "--json", help = "one JSON object instead of text" },
   { "--out DIR", default = "out", help = "folder of the pictures" },
 }
-if options.after < 0 then report.usage_error("--after: at least 0 expected, got " .. options.after) end
 
--- What a function returns, or what is wrong without the place in this file.
-local function try(report_error, f, ...)
-  local fine, result = pcall(f, ...)
-  return fine and result or report_error((tostring(result):gsub("^[^:]*:%d+: ", "")))
-end
-local world = try(report.failure, meander.world.open, options.world)
-local place = try(report.usage_error, world.get, world, options.subgoal)
+local world = report.try(report.failure, nil, meander.world.open, options.world)
+local place = report.try(report.usage_error, nil, world.get, world, options.subgoal)
 
-local navigator = try(report.usage_error, meander.polar.navigator, { memory = { scans = options.memory } })
+local navigator = meander.polar.navigator { memory = { scans = options.memory } }
 local sim = meander.sim.new { world = world, seed = options.seed }
 local goal = { x = place.position[1], y = place.position[2], tolerance = 0.1 }
 local v, w, status, reason = navigator:step(sim.observation, goal)
@@ -47,11 +41,29 @@ local function bearing(sector)
   return math.deg(2 * math.pi * (turns > 0.5 and turns - 1 or turns))
 end
 
--- How far from the centre the straight way to the target is obstructed first [m]; nil: it is free.
+-- How far from the centre the straight way to the target is obstructed first [m]; nil: it is free. What lies behind the
+-- target does not count.
 local function blocked_at()
   for ring = 1, inside.target_ring do
+    if inside.radii[ring] >= inside.target then return nil end
     if inside.obstructed[ring][1] > 0 then return inside.radii[ring] end
   end
+end
+
+-- Angle from -180 to 180 degrees.
+local function degrees(angle) return math.deg(math.atan(math.sin(angle), math.cos(angle))) end
+
+-- "12 degrees to its left", "ahead".
+local function aside(angle, whose, ahead)
+  if math.abs(angle) < 0.5 then return ahead end
+  return ("%.0f degrees to %s"):format(math.abs(angle), whose:format(angle > 0 and "left" or "right"))
+end
+
+-- What the robot does about a subgoal so many degrees to its left.
+local function turning(w, at)
+  if math.abs(w) < 0.005 then return "it does not turn" end
+  local way = ("turns %s at %.2f rad/s"):format(w > 0 and "left" or "right", math.abs(w))
+  return w * at > 0 and "so it " .. way or "it " .. way .. " all the same: within a period nothing costs less"
 end
 
 -- Of what the objective adds to the distance that is left, the largest.
@@ -65,17 +77,22 @@ local function decisive(cost)
 end
 
 local chosen, cost, blocked = inside.chosen, inside.cost, blocked_at()
+local at, seen = inside.predicted, inside.subgoal
+local facing = degrees(at.heading - inside.frame.heading)
+local seen_at = seen and degrees(math.atan(seen.y - at.y, seen.x - at.x) - at.heading)
+local seen_distance = seen and math.sqrt((seen.x - at.x) ^ 2 + (seen.y - at.y) ^ 2)
 local total = cost.distance + cost.heading + cost.hard + cost.soft + cost.speed
 if options.json then
   local keys = {
-    "example", "seed", "time", "status", "target", "blocked_at", "direction", "escaping", "v", "w", "objective", "residual",
-    "picture",
+    "example", "seed", "time", "status", "target", "blocked_at", "direction", "facing", "subgoal_at", "subgoal_distance",
+    "escaping", "v", "w", "objective", "residual", "picture",
   }
   local function rounded(x) return x and tonumber(("%.6f"):format(x)) end
   print(json.encode({
     example = "look_inside", seed = options.seed, time = rounded(sim.time), status = status,
     target = rounded(inside.target), blocked_at = rounded(blocked),
-    direction = inside.subgoal and rounded(bearing(inside.subgoal.sector)), escaping = inside.escaping,
+    direction = seen and rounded(bearing(seen.sector)), facing = rounded(facing), subgoal_at = rounded(seen_at),
+    subgoal_distance = rounded(seen_distance), escaping = inside.escaping,
     v = rounded(v), w = rounded(w), objective = rounded(total), residual = rounded(inside.residual), picture = stem .. ".png",
   }, keys))
   return
@@ -88,10 +105,14 @@ print(("target    %.2f m away%s; the straight way is %s"):format(inside.target,
   inside.escaping and " (temporary: it is escaping from a trap)" or "",
   blocked and ("obstructed from %.2f m on"):format(blocked) or "free"))
 print(("memory    %d points, %d of them on the map"):format(#inside.memory, #inside.points))
-if inside.subgoal then
-  local turn = bearing(inside.subgoal.sector)
-  print(("direction %s: there the activation around the robot is highest"):format(math.abs(turn) < 0.5 and "straight to the target"
-    or ("%.0f degrees to the %s of the target"):format(math.abs(turn), turn > 0 and "left" or "right")))
+if seen then
+  local straight = blocked and "at first towards the target, round what is in the way later" or "straight to the target"
+  print(("direction %s: there the activation around the robot is highest"):format(
+    aside(bearing(seen.sector), "the %s of the target", straight)))
+  print(("subgoal   %.2f m away: %s"):format(seen_distance,
+    seen.exact and "the target itself" or "the highest activation along the straight ray in that direction"))
+  print(("turn      the robot faces %s; the subgoal is %s: %s"):format(aside(facing, "the %s of the target", "the target"),
+    aside(seen_at, "its %s", "ahead of it"), turning(w, seen_at)))
   print(("command   v = %.2f m/s, w = %.2f rad/s, the least objective of all it can reach within a period:"):format(v, w))
   print(("          J = %.3f = distance %.3f + heading %.3f + too near %.3f + slow zone %.3f + speed there %.3f"):format(
     total, cost.distance, cost.heading, cost.hard, cost.soft, cost.speed))

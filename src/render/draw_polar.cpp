@@ -176,7 +176,7 @@ class PolarPainter {
     disc(0.5, colors_.floor);
     entry("way of steepest ascent");
     bar(0.35, colors_.path);
-    entry("chosen direction, up to the most active unit");
+    entry("ray: most active at subgoal");
     for (int dash = -1; dash <= 1; ++dash) bar(0.3, colors_.path, 1.1 * dash, 0.35);
     entry("robot (dashed: its next stop)");
     disc(1.2, colors_.robot);
