@@ -131,12 +131,12 @@ class RouteGuide {
     return plan() || recover();
   }
 
-  /// Do the senses tell the goal, or a place beside it while they are like the goal's? The longer it has looked, the
-  /// less alike is enough.
+  /// Do the senses tell the goal, or a place beside it or none while they are like the goal's? The longer it has
+  /// looked, the less alike is enough.
   bool agrees() const {
     const int told = map_->correction().cell;
     if (told == goal_) return true;
-    if (told < 0 || (cells()[told].position - cells()[goal_].position).norm() > options_.confirm) return false;
+    if (told >= 0 && (cells()[told].position - cells()[goal_].position).norm() > options_.confirm) return false;
     const double like = options_.like + kLikeGrowth * looks_;
     return map_->net().metric().squared(cells().senses(goal_), map_->situation().senses) <= like * like;
   }
