@@ -79,6 +79,9 @@ class Explorer {
   /// One decision, [DG] section 2, items 2 to 7. Throws Error after the end of a run.
   const Decision& step(const Percept& percept);
 
+  /// The run that was ended goes on: whoever drives knows better than to give the goal up.
+  void resume() { decision_ = {}; }
+
   const IndicatorGraph& graph() const { return graph_; }
   const ExplorerOptions& options() const { return options_; }
   const Vec2& goal() const { return goal_; }

@@ -41,6 +41,7 @@ void bind_topology_drive(lua_State* L);
 void bind_minimal_map(lua_State* L);
 void bind_place_scores(lua_State* L);
 void bind_explorer(lua_State* L);
+void bind_sonar_explorer(lua_State* L);
 void bind_shortest_path(lua_State* L);
 void bind_labyrinth(lua_State* L);
 void bind_folder(lua_State* L);

@@ -7,7 +7,6 @@
 #include "script/bind.hpp"
 #include "script/file_access.hpp"
 #include "script/indicator_objects.hpp"
-#include "script/kit_function.hpp"
 #include "script/kit_module.hpp"
 #include "script/kit_type.hpp"
 #include "script/picture.hpp"
@@ -23,16 +22,14 @@ namespace meander::script {
 struct ExplorerTable {
   Required<Vec2> goal;
   ExplorerOptions options;
-  std::optional<Function> on_indicator, on_decision;
+  ExplorerListeners listeners;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, ExplorerTable>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"goal", "m", "where to, in the odometry frame"}, o.goal);
   fields(o.options, visit);
-  visit(Field{"on_indicator", "", "function(indicator), called when one was placed: {serial, x, y, run}"},
-        o.on_indicator);
-  visit(Field{"on_decision", "", "function(decision), called after each step"}, o.on_decision);
+  fields(o.listeners, visit);
 }
 
 struct PerceptTable {
@@ -138,21 +135,9 @@ DecisionTable decision_table(const Explorer& explorer) {
   return table;
 }
 
-/// The functions see the explorer as it is when they are called; a weak pointer, because it owns them.
-void listen(const std::shared_ptr<Explorer>& explorer, const ExplorerTable& table) {
-  Explorer* const self = explorer.get();
-  if (table.on_indicator)
-    explorer->on_indicator = [self, call = *table.on_indicator](IndicatorId id) {
-      const Vec2 at = self->graph().get(id).position;
-      call.call(PlacedTable{static_cast<int>(id.slot) + 1, at.x(), at.y(), self->state().run});
-    };
-  if (table.on_decision)
-    explorer->on_decision = [self, call = *table.on_decision](const Decision&) { call.call(decision_table(*self)); };
-}
-
 std::shared_ptr<Explorer> make(const ExplorerTable& table) {
   auto explorer = std::make_shared<Explorer>(table.goal.value, table.options);
-  listen(explorer, table);
+  listen(*explorer, table.listeners);
   return explorer;
 }
 std::shared_ptr<Explorer> open(const InputFile& file) { return std::make_shared<Explorer>(read_explorer(file.path)); }
@@ -197,10 +182,21 @@ std::string text(const Explorer& explorer) {
   return fmt::format("explorer \"{}\": run {}, {} indicators", name, explorer.state().run, explorer.graph().size());
 }
 
+}  // namespace
+
+void listen(Explorer& explorer, const ExplorerListeners& listeners) {
+  Explorer* const self = &explorer;
+  if (listeners.on_indicator)
+    explorer.on_indicator = [self, call = *listeners.on_indicator](IndicatorId id) {
+      const Vec2 at = self->graph().get(id).position;
+      call.call(PlacedTable{static_cast<int>(id.slot) + 1, at.x(), at.y(), self->state().run});
+    };
+  if (listeners.on_decision)
+    explorer.on_decision = [self, call = *listeners.on_decision](const Decision&) { call.call(decision_table(*self)); };
+}
+
 #define EXPLORER "e = meander.indicator.explorer { goal = {5, 0} } "
 #define STEPPED EXPLORER "d = e:step { position = {0, 0}, ports = { { direction = 0, reach = 3 } } } "
-
-}  // namespace
 
 void bind_explorer(lua_State* L) {
   Module(L, "meander.indicator", "")

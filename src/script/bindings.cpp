@@ -41,6 +41,7 @@ void bind_all(lua_State* L) {
   bind_planned_route(L);
   bind_indicator(L);
   bind_explorer(L);
+  bind_sonar_explorer(L);
   bind_shortest_path(L);
   bind_labyrinth(L);
   bind_topology(L);

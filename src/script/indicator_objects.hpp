@@ -5,6 +5,7 @@
 
 #include "grid/labyrinth.hpp"
 #include "indicator/explorer.hpp"
+#include "script/kit_function.hpp"
 #include "script/kit_object.hpp"
 #include "script/kit_options.hpp"
 
@@ -58,6 +59,20 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"to_port", "", "the port of that one"}, o.to_port);
   visit(Field{"length", "m", "of the link"}, o.length);
 }
+/// Functions of a script that an explorer calls.
+struct ExplorerListeners {
+  std::optional<Function> on_indicator, on_decision;
+};
+template <class Options, class Visitor>
+requires std::same_as<std::remove_const_t<Options>, ExplorerListeners>
+void fields(Options& o, Visitor&& visit) {
+  visit(Field{"on_indicator", "", "function(indicator), called when one was placed: {serial, x, y, run}"},
+        o.on_indicator);
+  visit(Field{"on_decision", "", "function(decision), called after each step"}, o.on_decision);
+}
+/// The functions see the explorer as it is when they are called. It owns them.
+void listen(Explorer& explorer, const ExplorerListeners& listeners);
+
 std::vector<PortTable> port_tables(const IndicatorGraph& graph, IndicatorId id);
 
 /// What is seen where the robot stands.

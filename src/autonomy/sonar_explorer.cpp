@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "autonomy/sonar_explorer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "indicator/grid_way.hpp"
+
+namespace meander {
+namespace {
+
+constexpr int kFirstScans = 3;        ///< it listens before it decides
+constexpr double kSnap = 0.5;         ///< a place that is not free stands for the nearest that is, so far away [m]
+constexpr double kGoalSight = 3;      ///< a free way to the goal of so much is taken at once [m]
+constexpr double kLeastAhead = 0.35;  ///< whether in sight or not: nearer, the robot would stand still [m]
+constexpr double kProgress = 0.1;     ///< [m]
+constexpr double kBehind = 10;        ///< ways are looked for so far beyond the straight distance [m]
+constexpr double kTriedInVain = 5;    ///< evidence for a wall where the robot did not get through
+constexpr double kGivenUp = 30;       ///< the same where a frontier was looked at and stayed one
+
+}  // namespace
+
+SonarExplorer::SonarExplorer(const Vec2& goal, const Platform& platform, const SonarExplorerOptions& options)
+    : goal_(goal),
+      options_(options),
+      map_(platform, options.map),
+      sight_(options.perception, options.sight),
+      perception_(options.perception),
+      explorer_(goal, options.explorer) {
+  validate(options);
+  map_.include(goal);
+  explorer_.perceive = [this](IndicatorGraph& graph, IndicatorId here) {
+    sight_.look(graph, here, map_.space(), goal_);
+  };
+}
+
+void SonarExplorer::begin() {
+  explorer_.begin();
+  look_ = {};
+  set_down_ = false;
+  toward_ = Toward::nothing;
+  walked_ = told_ = checked_ = 0;
+  reached_ = blocked_ = 0;
+  ending_ = Ending::driving;
+  reason_.clear();
+}
+
+/// One control cycle. [DG] item 1, the motion between indicators, is the navigator's; items 2 to 7 are decide().
+GuideStep SonarExplorer::next(const Observation& observation, const NavigatorStep& navigator) {
+  if (explorer_.state().run == 0) begin();
+  sense(observation);
+  const double time = observation.time;
+  const bool listening = map_.scans() < kFirstScans;
+  if (ending_ == Ending::driving && !listening) {
+    if ((at_ - goal_).norm() <= options_.arrive) drive_to(Toward::goal, goal_);
+    if (toward_ != Toward::nothing && is_blocked(navigator, time)) {
+      block_ahead();
+      decide(true);
+    } else if (toward_ == Toward::nothing || is_there() || !(goes_to_goal() || still_worth_it())) {
+      decide(false);
+    }
+  }
+  std::optional<Subgoal> to;
+  for (int i = 0; i < 4 && ending_ == Ending::driving && !listening && !(to = subgoal()); ++i) decide(false);
+  if (ending_ != Ending::driving)
+    return {.subgoal = {}, .success = ending_ == Ending::reached, .reason = reason_, .reached = reached_};
+  return {.subgoal = to ? to : Subgoal{.position = at_}, .success = false, .reason = {}, .reached = reached_};
+}
+
+void SonarExplorer::sense(const Observation& observation) {
+  const Vec2 at = observation.odometry.pose.position();
+  if (std::exchange(set_down_, true)) walked_ += (at - at_).norm();
+  if (!std::isfinite(since_) || toward_ == Toward::nothing) since_ = observation.time;
+  at_ = at;
+  map_.update(observation);
+  if (std::exchange(frames_, map_.frames()) == map_.frames()) return;
+  sight_ = MapSight(options_.perception, options_.sight);  // cells have moved
+  perception_ = MapPerception(options_.perception);
+}
+
+/// As soon as a free way to the goal is known it is taken.
+bool SonarExplorer::goes_to_goal() {
+  if (toward_ == Toward::goal) return true;
+  if ((goal_ - at_).norm() > kGoalSight) return false;
+  const ConfigurationSpace& space = map_.space();
+  near_goal_.spread(space, space.frame().cell(goal_), kGoalSight);
+  if (!nearest_reached(space, near_goal_, at_, 0.15)) return false;
+  drive_to(Toward::goal, goal_);
+  return true;
+}
+
+bool SonarExplorer::is_there() const {
+  const double near = toward_ == Toward::indicator ? options_.explorer.same : options_.arrive;
+  return (aim_ - at_).norm() <= near;
+}
+
+/// A way that was seen to be blind meanwhile is not driven to its end.
+bool SonarExplorer::still_worth_it() {
+  if (walked_ - checked_ < options_.check) return true;
+  checked_ = walked_;
+  const ConfigurationSpace& space = map_.space();
+  if (toward_ == Toward::frontier) {
+    if (options_.strategy == ExplorationStrategy::free_space) return false;
+    const Cell aim = space.frame().cell(aim_);
+    for (int y = aim.y - 3; y <= aim.y + 3; ++y)
+      for (int x = aim.x - 3; x <= aim.x + 3; ++x)
+        if (space.frontier({x, y})) return true;
+    return false;
+  }
+  if (toward_ != Toward::port || !explorer_.state().at) return true;
+  const std::vector<IndicatorId> ids = explorer_.graph().ids();
+  places_.clear();
+  for (const IndicatorId id : ids) places_.push_back(explorer_.graph().get(id).position);
+  const auto here = std::find(ids.begin(), ids.end(), *explorer_.state().at) - ids.begin();
+  for (const MapPort& port : perception_.ports(space, places_, static_cast<std::size_t>(here), goal_))
+    if ((port.position - aim_).norm() <= 2 * options_.sight.keep) return true;
+  return false;
+}
+
+/// Where it stands, or the nearest place where it can stand for all that is known.
+Vec2 SonarExplorer::standing() const {
+  const auto cell = nearest_free(map_.space(), at_, kSnap);
+  return cell && !map_.space().free(map_.space().frame().cell(at_)) ? map_.space().frame().center(*cell) : at_;
+}
+
+/// [DG] items 2 to 7, where the way it was on has ended. A port that is chosen where the robot stands already was
+/// approached in vain.
+void SonarExplorer::decide(bool blocked) {
+  if (toward_ == Toward::goal && !blocked && (at_ - goal_).norm() <= options_.arrive &&
+      options_.strategy != ExplorationStrategy::indicators)
+    return end(Ending::reached, "the goal is reached");
+  if (options_.strategy != ExplorationStrategy::indicators) return decide_without_graph();
+  for (int i = 0; i < 20; ++i) {
+    Percept percept;
+    percept.position = (at_ - goal_).norm() <= options_.arrive ? goal_ : standing();
+    if (toward_ == Toward::indicator && is_there()) percept.position = aim_;
+    percept.walked = walked_ - told_;
+    percept.blocked = blocked;
+    told_ = walked_;
+    const Decision& decision = explorer_.step(percept);
+    toward_ = Toward::nothing;
+    if (decision.ending == Ending::reached && (at_ - goal_).norm() > options_.explorer.tolerance) {
+      explorer_.resume();  // the indicator is at the goal, the robot is not
+      return drive_to(Toward::goal, goal_);
+    }
+    if (decision.ending == Ending::no_passable_direction) return look_again();
+    if (decision.ending != Ending::driving) return end(decision.ending, decision.reason);
+    blocked = !decision.back && !follow(decision);
+    if (!blocked && !decision.back) return;
+  }
+}
+
+/// False: the robot stands where the way begins that it is to take.
+bool SonarExplorer::follow(const Decision& decision) {
+  const bool port = decision.out.port >= 0;
+  const Vec2 place =
+      port ? port_position(explorer_.graph(), decision.out) : explorer_.graph().get(*decision.to).position;
+  if (port && (place - at_).norm() <= options_.arrive) return false;
+  ++reached_;
+  drive_to(port ? Toward::port : Toward::indicator, place);
+  return true;
+}
+
+void SonarExplorer::drive_to(Toward toward, const Vec2& place) {
+  if (toward == Toward::goal && toward_ == toward) return;
+  toward_ = toward;
+  aim_ = place;
+  checked_ = walked_;
+  nearest_ = std::numeric_limits<double>::infinity();
+  since_ = std::numeric_limits<double>::infinity();  // from the next cycle on
+}
+
+/// What the others do that the rules are compared with: they see the same map, and keep no graph.
+void SonarExplorer::decide_without_graph() {
+  if (options_.explorer.budget > 0 && walked_ > options_.explorer.budget)
+    return end(Ending::budget, fmt::format("the budget of {:g} m is spent", options_.explorer.budget));
+  const ConfigurationSpace& space = map_.space();
+  if (options_.strategy == ExplorationStrategy::free_space) {
+    field_.spread(space, space.frame().cell(goal_), 1e9, true);
+    if (nearest_reached(space, field_, at_, kSnap)) return drive_to(Toward::frontier, goal_);
+  } else if (decide_by_frontier()) {
+    return;
+  }
+  look_again();
+}
+
+/// The frontier that is nearest by the way, or by the way and as the crow flies from there to the goal.
+bool SonarExplorer::decide_by_frontier() {
+  const ConfigurationSpace& space = map_.space();
+  const double straight_on = options_.strategy == ExplorationStrategy::goal_frontier ? 1 : 0;
+  for (;;) {
+    field_.spread(space, space.frame().cell(standing()), 1e9);
+    std::optional<Cell> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Cell cell : field_.reached()) {
+      const Vec2 there = space.frame().center(cell);
+      const double cost = field_.at(cell) + straight_on * (there - goal_).norm();
+      if (cost >= least || !(space.frontier(cell) || cell == space.frame().cell(goal_))) continue;
+      least = cost;
+      best = cell;
+    }
+    if (!best) return false;
+    const Vec2 place = space.frame().center(*best);
+    if ((place - at_).norm() > options_.arrive) {
+      drive_to(*best == space.frame().cell(goal_) ? Toward::goal : Toward::frontier, place);
+      return true;
+    }
+    for (const Cell beside : {Cell{best->x + 1, best->y}, Cell{best->x - 1, best->y}, Cell{best->x, best->y + 1},
+                              Cell{best->x, best->y - 1}})
+      if (space.known(beside) == Known::nothing) map_.add(beside, kGivenUp);  // it stands there and cannot tell
+  }
+}
+
+/// [DG+] Ports alone do not say that a goal is out of reach: the whole map has to, and weak walls are looked at first.
+void SonarExplorer::look_again() {
+  const ConfigurationSpace& space = map_.space();
+  if (look_.count() < options_.second_looks) {
+    if (const auto place = look_.next(map_, space.frame().cell(standing()), space.frame().cell(goal_))) {
+      if (options_.strategy == ExplorationStrategy::indicators) explorer_.resume();
+      return drive_to(Toward::look, *place);
+    }
+    return end(Ending::no_passable_direction,
+               fmt::format("no passable direction left: no way leads to the goal, with unknown taken as passable, "
+                           "after {} second looks",
+                           look_.count()));
+  }
+  end(Ending::no_passable_direction,
+      fmt::format("no passable direction left, after all of {} second looks", options_.second_looks));
+}
+
+/// The navigator says so, or the robot stands still, or it comes no nearer to what it drives to for long.
+bool SonarExplorer::is_blocked(const NavigatorStep& navigator, double time) {
+  constexpr double kStill = 0.25;    // [m]
+  constexpr double kRoundabout = 4;  // as much more patience with a robot that moves
+  if (!std::isfinite(since_)) {
+    since_ = moved_ = time;
+    anchor_ = at_;
+    return false;
+  }
+  if ((at_ - anchor_).norm() > kStill) {
+    anchor_ = at_;
+    moved_ = time;
+  }
+  const auto here = nearest_reached(map_.space(), field_, at_, kSnap);
+  const double left = here ? field_.at(*here) : nearest_;
+  if (left < nearest_ - kProgress) {
+    nearest_ = left;
+    since_ = moved_ = time;
+  }
+  return navigator.status == NavigatorStatus::trapped || time - moved_ > options_.patience ||
+         time - since_ > kRoundabout * options_.patience;
+}
+
+/// Evidence for a wall across the way, where the robot's front is.
+void SonarExplorer::block_ahead() {
+  ++blocked_;
+  const Vec2 way = ahead_ - at_;
+  if (!(way.norm() > 1e-6)) return;
+  const Vec2 along = way / way.norm(), across(-along.y(), along.x());
+  const double step = map_.space().resolution();
+  for (int i = -2; i <= 2; ++i)
+    map_.add(map_.space().frame().cell(at_ + (map_.reach() + step) * along + i * step * across), kTriedInVain);
+}
+
+/// The farthest point in sight on the way to the aim, not farther than `ahead`. None: no free way leads there any more.
+std::optional<Subgoal> SonarExplorer::subgoal() {
+  if (toward_ == Toward::nothing) return std::nullopt;
+  const ConfigurationSpace& space = map_.space();
+  const bool unknown =
+      toward_ == Toward::look || (toward_ == Toward::frontier && options_.strategy == ExplorationStrategy::free_space);
+  const bool far = toward_ == Toward::frontier || toward_ == Toward::look;
+  const auto target = unknown ? std::optional(space.frame().cell(aim_)) : nearest_free(space, aim_, kSnap / 2);
+  if (!target) return std::nullopt;
+  field_.spread(space, *target, far ? 1e9 : (aim_ - at_).norm() + kBehind, unknown);
+  const auto here = nearest_reached(space, field_, at_, kSnap);
+  if (!here) return std::nullopt;
+  const std::vector<Cell> way = way_down(field_, *here);
+  if (way.empty()) return std::nullopt;
+  Cell best = way.front();
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const double away = (space.frame().center(way[i]) - at_).norm();
+    if (away > options_.ahead) break;
+    if (away <= kLeastAhead || straight_way(space, *here, way[i])) best = way[i];
+  }
+  ahead_ = best == way.back() ? aim_ : space.frame().center(best);
+  return Subgoal{.position = ahead_, .tolerance = options_.arrive / 2};
+}
+
+void SonarExplorer::end(Ending ending, std::string reason) {
+  ending_ = ending;
+  reason_ = std::move(reason);
+  toward_ = Toward::nothing;
+}
+
+Guide exploring_guide(const std::shared_ptr<SonarExplorer>& explorer) {
+  return {.name = "explorer",
+          .next = [explorer](const Observation& o, const NavigatorStep& n) { return explorer->next(o, n); },
+          .reset = [explorer] { explorer->begin(); }};
+}
+
+}  // namespace meander

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "indicator/sonar_occupancy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meander {
+namespace {
+
+constexpr double kSure = 2.5;                 ///< evidence from which a cell counts as wall, or free
+constexpr double kLeast = -20, kMost = 30;    ///< evidence is kept within
+constexpr double kFree = -1.5, kWear = -0.3;  ///< of a cone: on a cell, on a certain wall
+constexpr double kContact = 13;               ///< of a bumper that is pressed
+constexpr double kRoom = 8, kRim = 4;         ///< room made around a point, the least that is left [m]
+constexpr int kFirstScans = 3;                ///< count although the robot has not moved
+constexpr double kTurned = 0.1;               ///< a turn by this shows something else, too [rad]
+
+Known known_by(double evidence) {
+  return evidence > kSure ? Known::wall : evidence < -kSure ? Known::free : Known::nothing;
+}
+
+}  // namespace
+
+SonarOccupancy::SonarOccupancy(const Platform& platform, const SonarOccupancyOptions& options)
+    : options_(options),
+      ring_(platform.sonar),
+      bumper_(platform.bumper),
+      radius_(platform.body.radius),
+      reach_(platform.body.radius + options.margin),
+      tangent_(0),
+      space_(0, 0, {options.resolution, {}}, reach_) {
+  validate(options);
+  const SinCos half = sin_cos(options.half_cone);
+  tangent_ = half.sin / half.cos;
+}
+
+void SonarOccupancy::update(const Observation& observation) {
+  const Pose2& pose = observation.odometry.pose;
+  include(pose.position());
+  feel(observation);
+  const bool moved = (pose.position() - last_).norm() >= options_.moved;
+  const bool turned = std::abs(angle_between(last_heading_, pose.heading)) >= kTurned;
+  if (scans_ >= kFirstScans && !moved && !turned) return;
+  ++scans_;
+  last_ = pose.position();
+  last_heading_ = pose.heading;
+  listen(observation);
+  for (const Cone& cone : cones_) take_free(cone);
+  if (moved)
+    for (const Cone& cone : cones_) take_arc(cone);
+  stand(pose.position());
+}
+
+void SonarOccupancy::listen(const Observation& observation) {
+  const Readings& readings = observation.readings;
+  cones_.clear();
+  for (std::size_t i = 0; i < readings.sonar.size(); ++i) {
+    const double bearing = ring_.first + 2 * kPi * static_cast<double>(i) / static_cast<double>(readings.sonar.size());
+    const Pose2 robot = i < readings.sonar_pose.size() ? readings.sonar_pose[i] : observation.odometry.pose;
+    const Vec2 axis = Pose2{0, 0, wrap_angle(robot.heading + bearing)}.direction();
+    cones_.push_back({robot.position() + ring_.radius * axis, axis, readings.sonar[i]});
+  }
+}
+
+/// Where the robot stands, nothing else does.
+void SonarOccupancy::stand(const Vec2& at) {
+  const GridFrame& frame = space_.frame();
+  const double inside = std::max(radius_ - options_.resolution, 0.0);
+  const Cell low = frame.cell(at - Vec2(inside, inside)), high = frame.cell(at + Vec2(inside, inside));
+  for (int y = low.y; y <= high.y; ++y)
+    for (int x = low.x; x <= high.x; ++x)
+      if ((frame.center({x, y}) - at).norm() <= inside && evidence({x, y}) > 2 * kFree)
+        add({x, y}, 2 * kFree - evidence({x, y}));
+}
+
+void SonarOccupancy::feel(const Observation& observation) {
+  const std::vector<std::uint8_t>& pressed = observation.readings.bumper;
+  for (std::size_t i = 0; i < pressed.size(); ++i) {
+    if (!pressed[i]) continue;
+    const double bearing = bumper_.first + 2 * kPi * static_cast<double>(i) / static_cast<double>(pressed.size());
+    const Pose2& pose = observation.odometry.pose;
+    const Vec2 out = Pose2{0, 0, wrap_angle(pose.heading + bearing)}.direction();
+    add(space_.frame().cell(pose.position() + (radius_ + options_.resolution) * out), kContact);
+  }
+}
+
+/// Calls visit(cell, distance) for the cells whose centre is in the cone and not farther than `reach`.
+template <class Visit>
+void SonarOccupancy::for_cells(const Cone& cone, double reach, Visit visit) {
+  const GridFrame& frame = space_.frame();
+  const Vec2 aside = tangent_ * Vec2(-cone.axis.y(), cone.axis.x());
+  Vec2 low = cone.at, high = cone.at;
+  for (const Vec2& corner : {Vec2(cone.axis + aside), Vec2(cone.axis - aside)}) {
+    low = low.cwiseMin(cone.at + reach * corner);
+    high = high.cwiseMax(cone.at + reach * corner);
+  }
+  const Cell first = frame.cell(low), last = frame.cell(high);
+  const Vec2 origin = frame.origin.position();
+  for (int y = first.y; y <= last.y; ++y)
+    for (int x = first.x; x <= last.x; ++x) {
+      const Vec2 to = origin + frame.resolution * Vec2(x + 0.5, y + 0.5) - cone.at;
+      const double along = to.dot(cone.axis);
+      const double across = std::abs(cone.axis.x() * to.y() - cone.axis.y() * to.x());
+      if (along <= 0 || across > tangent_ * along) continue;
+      const double distance = to.norm();
+      if (distance <= reach) visit(Cell{x, y}, distance);
+    }
+}
+
+void SonarOccupancy::take_free(const Cone& cone) {
+  const double before = cone.reading >= options_.silent ? options_.silence : cone.reading - 0.05 - 0.025 * cone.reading;
+  if (before <= 0) return;
+  for_cells(cone, std::min(before, options_.range), [&](Cell cell, double) {
+    if (!freed_.contains(cell) || freed_[cell] == scans_) return;
+    freed_[cell] = scans_;
+    add(cell, evidence(cell) > options_.hard ? kWear : kFree);
+  });
+}
+
+/// The nearer, the shorter the arc, and the more it says of each cell.
+void SonarOccupancy::take_arc(const Cone& cone) {
+  if (cone.reading >= options_.arcs) return;
+  const double off = 0.035 + 0.01 * cone.reading;
+  for_cells(cone, cone.reading + off, [&](Cell cell, double distance) {
+    if (distance <= cone.reading - off || !freed_.contains(cell) || freed_[cell] == scans_) return;
+    add(cell, std::min(1.0, 0.7 / distance));
+  });
+}
+
+void SonarOccupancy::add(Cell cell, double evidence) {
+  if (!evidence_.contains(cell)) return;
+  float& value = evidence_[cell];
+  value = static_cast<float>(std::clamp(value + evidence, kLeast, kMost));
+  space_.set(cell, known_by(value));
+}
+
+void SonarOccupancy::forget(Cell cell) { add(cell, -evidence(cell)); }
+
+ConfigurationSpace SonarOccupancy::without_weak() const {
+  ConfigurationSpace space = space_;
+  for (int y = 0; y < space.height(); ++y)
+    for (int x = 0; x < space.width(); ++x)
+      if (weak({x, y})) space.set({x, y}, Known::nothing);
+  return space;
+}
+
+void SonarOccupancy::include(const Vec2& point) {
+  const bool first = space_.width() == 0;
+  const Vec2 rim(kRim, kRim), room(kRoom, kRoom);
+  if (!first && (point - low_).minCoeff() >= kRim && (high_ - point).minCoeff() >= kRim) return;
+  const GridFrame before = space_.frame();
+  const Vec2 least = point - room, most = point + room;
+  low_ = first ? least : Vec2(low_.cwiseMin(least));
+  high_ = first ? most : Vec2(high_.cwiseMax(most));
+  // On whole cells, so that what is known moves with them.
+  const double side = options_.resolution;
+  const auto cells = [&](double metres) { return static_cast<int>(std::floor(metres / side)); };
+  const Cell corner{cells(low_.x()), cells(low_.y())};
+  low_ = Vec2(corner.x * side, corner.y * side);
+  const int width = cells(high_.x() - low_.x()) + 1, height = cells(high_.y() - low_.y()) + 1;
+  const GridFrame frame{side, {low_.x(), low_.y(), 0}};
+  const Grid<float> known = std::move(evidence_);
+  space_ = ConfigurationSpace(width, height, frame, reach_);
+  evidence_ = Grid<float>(width, height, 0, frame);
+  freed_ = Grid<std::int32_t>(width, height, 0, frame);
+  const Cell shift = frame.cell(before.center({0, 0}));
+  for (int y = 0; y < known.height(); ++y)
+    for (int x = 0; x < known.width(); ++x)
+      if (known[{x, y}] != 0) add({x + shift.x, y + shift.y}, known[{x, y}]);
+  ++frames_;
+}
+
+}  // namespace meander

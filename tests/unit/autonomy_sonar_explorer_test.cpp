@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+// The sonar map from observations made by hand, and the explorer as a guide. Whole drives are in
+// examples/labyrinth.lua.
+#include "autonomy/sonar_explorer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "geometry/angle.hpp"
+
+namespace meander {
+namespace {
+
+/// What the ring of a robot reads that stands in a square room, its walls 2 m from the origin: the nearest point of the
+/// walls in each cone, noise-free.
+Observation in_room(const Platform& robot, const Vec2& at, double time) {
+  Observation seen;
+  seen.time = time;
+  seen.odometry.pose = {at.x(), at.y(), 0};
+  for (int i = 0; i < robot.sonar.count; ++i) {
+    const double bearing = 2 * kPi * i / robot.sonar.count;
+    double reading = 6.477;
+    for (int ray = -10; ray <= 10; ++ray) {
+      const SinCos axis = sin_cos(bearing), way = sin_cos(bearing + radians(1.25) * ray);
+      const Vec2 from = at + robot.sonar.radius * Vec2(axis.cos, axis.sin);
+      for (const auto& [place, along] : {std::pair{from.x(), way.cos}, std::pair{from.y(), way.sin}})
+        if (std::abs(along) > 1e-9) reading = std::min(reading, ((along > 0 ? 2 : -2) - place) / along);
+    }
+    seen.readings.sonar.push_back(reading);
+    seen.readings.sonar_pose.push_back(seen.odometry.pose);
+  }
+  return seen;
+}
+
+TEST(SonarOccupancy, ARoomIsFreeAndItsWallsAreFoundNearByAndOnTheMove) {
+  const Platform& robot = platform("nomad200");
+  SonarOccupancy map(robot);
+  for (int i = 0; i <= 20; ++i) map.update(in_room(robot, {0.05 * i, 0}, i));
+  const ConfigurationSpace& space = map.space();
+  EXPECT_TRUE(space.free(space.frame().cell({0, 0})));
+  EXPECT_EQ(space.known(space.frame().cell({-1, 0.5})), Known::free);
+  EXPECT_TRUE(space.blocked(space.frame().cell({1.9, 0})));  // it came near that wall
+  EXPECT_EQ(space.known(space.frame().cell({2.5, 0})), Known::nothing);
+}
+
+TEST(SonarOccupancy, StandingStillTellsOfNoWall) {
+  const Platform& robot = platform("nomad200");
+  SonarOccupancy map(robot);
+  for (int i = 0; i <= 50; ++i) map.update(in_room(robot, {1, 0}, i));
+  for (double x = 1.5; x < 2.2; x += 0.05) EXPECT_NE(map.space().known(map.space().frame().cell({x, 0})), Known::wall);
+}
+
+TEST(SonarOccupancy, ABumperIsBelievedAtOnce) {
+  const Platform& robot = platform("nomad200");
+  SonarOccupancy map(robot);
+  Observation seen = in_room(robot, {0, 0}, 0);
+  seen.readings.bumper.assign(20, 0);
+  seen.readings.bumper[0] = 1;
+  map.update(seen);
+  const Cell ahead = map.space().frame().cell({robot.body.radius + 0.05, 0});
+  EXPECT_EQ(map.space().known(ahead), Known::wall);
+  EXPECT_FALSE(map.weak(ahead));
+}
+
+TEST(SonarOccupancy, WhatIsKnownStaysWhereItIsWhenTheMapGrows) {
+  const Platform& robot = platform("nomad200");
+  SonarOccupancy map(robot);
+  for (int i = 0; i <= 10; ++i) map.update(in_room(robot, {0.05 * i, 0}, i));
+  const int frames = map.frames();
+  std::vector<Known> before, after;
+  const auto look = [&](std::vector<Known>& into) {
+    for (double x = -3; x < 3; x += 0.05)
+      for (double y = -3; y < 3; y += 0.05)
+        into.push_back(map.space().known(map.space().frame().cell({x + 0.02, y + 0.02})));
+  };
+  look(before);
+  map.include({-40, 30});
+  EXPECT_GT(map.frames(), frames);
+  look(after);
+  EXPECT_EQ(before, after);
+}
+
+TEST(SonarExplorer, InARoomItDrivesStraightToItsGoalAndSaysSo) {
+  const Platform& robot = platform("nomad200");
+  for (const auto strategy : {ExplorationStrategy::indicators, ExplorationStrategy::free_space,
+                              ExplorationStrategy::frontier, ExplorationStrategy::goal_frontier}) {
+    SonarExplorerOptions options;
+    options.strategy = strategy;
+    SonarExplorer explorer({1, 0.5}, robot, options);
+    Vec2 at(-1, -0.5);
+    GuideStep step;
+    for (int i = 0; i < 2000; ++i) {
+      step = explorer.next(in_room(robot, at, i * robot.period), {});
+      if (!step.subgoal) break;
+      const Vec2 way = step.subgoal->position - at;
+      if (way.norm() > 0.05) at += way * (0.05 / way.norm());
+    }
+    EXPECT_FALSE(step.subgoal);
+    EXPECT_EQ(explorer.ending(), Ending::reached) << to_string(strategy) << ": " << explorer.reason();
+    EXPECT_LT((at - Vec2(1, 0.5)).norm(), 0.3);
+  }
+}
+
+TEST(SonarExplorer, AGoalBeyondTheWallsIsGivenUpInWords) {
+  const Platform& robot = platform("nomad200");
+  SonarExplorer explorer({4, 0}, robot);
+  Vec2 at(0, 0);
+  for (int i = 0; i < 20000 && explorer.ending() == Ending::driving; ++i) {
+    const GuideStep step = explorer.next(in_room(robot, at, i * robot.period), {});
+    if (!step.subgoal) break;
+    const Vec2 way = step.subgoal->position - at;
+    Vec2 to = at;
+    if (way.norm() > 0.05) to += way * (0.05 / way.norm());
+    const double room = 2 - robot.body.radius - 0.02;
+    at = to.cwiseMax(Vec2(-room, -room)).cwiseMin(Vec2(room, room));
+  }
+  EXPECT_EQ(explorer.ending(), Ending::no_passable_direction) << explorer.reason();
+}
+
+}  // namespace
+}  // namespace meander
