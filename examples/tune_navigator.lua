@@ -42,7 +42,7 @@ local spaces = {
   dynamic_window = {
     { "heading_weight", 3, 0.2, 10 }, { "distance_weight", 0.2, 0.02, 5 }, { "speed_weight", 0.32, 0.02, 5 },
     { "margin", 0.07, 0.01, 0.2 }, { "reach", 3.4, 0.5, 4 },
-    { "half_cone", 0, 0, 0.218 }, memory(12, 2),
+    { "half_cone", 0.218, 0, 0.218 }, memory(12, 2),
   },
   tangent_bug = {
     { "reach", 1.9, 0.8, 4 }, { "clearance", 0.06, 0.01, 0.25 }, { "jump", 0.17, 0.05, 1 }, { "constancy", 0.53, 0.01, 1 },

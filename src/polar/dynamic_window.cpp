@@ -107,7 +107,7 @@ class DynamicWindow {
       away_ = 0;
       return *found;
     }
-    return turn_away(observation, task);
+    return observation.odometry.v > kStanding ? brake(observation) : turn_away(observation, task);
   }
 
   Turn turn(double w, double period) const {
@@ -143,6 +143,18 @@ class DynamicWindow {
     const double w = away_ * kTurnAway * body.w_max;
     const double dw = body.a_w * observation.period;
     return {0, std::clamp(w, observation.odometry.w - dw, observation.odometry.w + dw), 0};
+  }
+
+  /// [FBT97+] It stands before it turns away, and brakes along the arc of the window that is free the longest: the one
+  /// that it is on may just have turned out not to be.
+  Command brake(const Observation& observation) {
+    const double v = observation.odometry.v;
+    double w = observation.odometry.w, most = -1;
+    for (const Turn& turn : turns_) {
+      const double free = free_arc(points_, turn.w / v, radius_, options_.reach);
+      if (free > most) w = turn.w, most = free;
+    }
+    return {std::max(0.0, v - platform_.body.a_v * observation.period), w, 0};
   }
 
   static constexpr double kStanding = 0.01;  ///< slower counts as a turn on the spot [m/s]

@@ -17,7 +17,7 @@ struct DynamicWindowOptions {
   double speed_weight = 0.32;
   double margin = 0.07;
   double reach = 3.4;
-  double half_cone = 0;
+  double half_cone = 0.218;
   double patience = 15;
   double progress = 0.10;
   SonarMemoryOptions memory{.scans = 12};
