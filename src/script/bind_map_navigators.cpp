@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "autonomy/map_navigators.hpp"
 #include "script/bind.hpp"
+#include "script/control_options.hpp"
 #include "script/kit_module.hpp"
 #include "script/map_object.hpp"
 #include "script/objects.hpp"
@@ -64,12 +65,11 @@ std::shared_ptr<Navigator> map_navigator(const MapNavigatorTable& table) {
       polar_on_map(platform, own_map(table.map, platform), table.polar, table.obstacles));
 }
 
-std::shared_ptr<Navigator> safety(const std::shared_ptr<Navigator>& navigator,
-                                  const std::optional<MapSafetyTable>& given) {
+std::shared_ptr<Navigator> safety(const NavigatorOption& navigator, const std::optional<MapSafetyTable>& given) {
   const MapSafetyTable table = given.value_or(MapSafetyTable{});
   const Platform& platform = table.robot.value;
   return std::make_shared<Navigator>(
-      with_map_safety(*navigator, platform, own_map(table.map, platform), table.options));
+      with_map_safety(navigator.make(platform), platform, own_map(table.map, platform), table.options));
 }
 
 }  // namespace
@@ -86,7 +86,8 @@ void bind_map_navigators(lua_State* L) {
       .function<&safety>(
           Doc{.name = "map_safety",
               .text = "A navigator whose commands are slowed down where a local map shows something in the way.",
-              .args = {{"navigator", "who drives"}, {"options", "the robot, the map, how near it may get"}},
+              .args = {{"navigator", "who drives, as sim:drive takes it"},
+                       {"options", "the robot, the map, how near it may get"}},
               .returns = "the navigator",
               .errors = "an unknown model; a number out of range",
               .example = "print(meander.autonomy.map_safety(meander.polar.potential_field {}, { map = { model = "
