@@ -21,11 +21,11 @@ function course.explorer(options)
   return all
 end
 
--- One run: {world, explorer, seed, sensor, navigator, drift, limit} gives the run, and where the robot truly ended.
+-- One run: {world, explorer, seed, sensor, navigator, drift, start, limit} gives the run, and where the robot truly ended.
 function course.run(task)
   local sim = meander.sim.new {
     world = task.world, robot = course.robot, sonar = course.sensors[task.sensor or "sonar"], seed = task.seed,
-    drift = task.drift,
+    drift = task.drift, start = task.start,
   }
   local run = sim:drive {
     navigator = task.navigator or meander.polar.navigator { robot = course.robot },

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "indicator/second_look.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "indicator/grid_way.hpp"
@@ -9,7 +10,8 @@
 namespace meander {
 namespace {
 
-constexpr double kSame = 0.15;  ///< two looks at places nearer than this are looks at the same [m]
+constexpr std::size_t kBeyond = 6;  ///< cells: so far into the unknown, for standing still shows nothing new
+constexpr double kSame = 0.15;      ///< two looks at places nearer than this are looks at the same [m]
 
 }  // namespace
 
@@ -32,12 +34,10 @@ std::optional<Vec2> SecondLook::next(SonarOccupancy& map, Cell from, Cell goal) 
 
 /// None: the way leads where the robot has looked before, and is closed there now.
 std::optional<Vec2> SecondLook::along(SonarOccupancy& map, const ConfigurationSpace& space, Cell from, Cell goal) {
-  Cell last = from;
-  for (const Cell cell : way_down(field_, from)) {
-    if (map.space().free(cell)) {
-      last = cell;
-      continue;
-    }
+  const std::vector<Cell> way = way_down(field_, from);
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const Cell cell = way[i];
+    if (map.space().free(cell)) continue;
     const Vec2 place = map.space().frame().center(cell);
     if (looked_at(place)) {
       close(map, cell);
@@ -48,7 +48,7 @@ std::optional<Vec2> SecondLook::along(SonarOccupancy& map, const ConfigurationSp
     for (int y = cell.y - reach; y <= cell.y + reach; ++y)
       for (int x = cell.x - reach; x <= cell.x + reach; ++x)
         if (map.weak({x, y})) map.forget({x, y});
-    return space.frame().center(last);
+    return space.frame().center(way[std::min(i + kBeyond, way.size() - 1)]);
   }
   return space.frame().center(goal);
 }

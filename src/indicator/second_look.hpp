@@ -12,7 +12,8 @@ namespace meander {
 /// Then where does it leave what is known? That place is worth a look. One for one run.
 class SecondLook {
  public:
-  /// The last free place on the way from the robot's cell, if there is a way; weak walls on it are forgotten. A place
+  /// Shortly beyond the last free place on the way from the robot's cell, if there is a way; weak walls there are
+  /// forgotten. A place
   /// that was looked at before and is still in doubt is closed for good, so that this comes to an end.
   std::optional<Vec2> next(SonarOccupancy& map, Cell from, Cell goal);
   int count() const { return static_cast<int>(looked_.size()); }

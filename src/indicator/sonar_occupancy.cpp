@@ -29,6 +29,7 @@ SonarOccupancy::SonarOccupancy(const Platform& platform, const SonarOccupancyOpt
       radius_(platform.body.radius),
       reach_(platform.body.radius + options.margin),
       tangent_(0),
+      aperture_(ring_.radius * kPi / std::max(ring_.count, 1)),
       space_(0, 0, {options.resolution, {}}, reach_) {
   validate(options);
   const SinCos half = sin_cos(options.half_cone);
@@ -95,6 +96,8 @@ void SonarOccupancy::for_cells(const Cone& cone, double reach, Visit visit) {
     low = low.cwiseMin(cone.at + reach * corner);
     high = high.cwiseMax(cone.at + reach * corner);
   }
+  low -= Vec2(aperture_, aperture_);
+  high += Vec2(aperture_, aperture_);
   const Cell first = frame.cell(low), last = frame.cell(high);
   const Vec2 origin = frame.origin.position();
   for (int y = first.y; y <= last.y; ++y)
@@ -102,7 +105,7 @@ void SonarOccupancy::for_cells(const Cone& cone, double reach, Visit visit) {
       const Vec2 to = origin + frame.resolution * Vec2(x + 0.5, y + 0.5) - cone.at;
       const double along = to.dot(cone.axis);
       const double across = std::abs(cone.axis.x() * to.y() - cone.axis.y() * to.x());
-      if (along <= 0 || across > tangent_ * along) continue;
+      if (along <= 0 || across > tangent_ * along + aperture_) continue;
       const double distance = to.norm();
       if (distance <= reach) visit(Cell{x, y}, distance);
     }

@@ -76,6 +76,7 @@ class SonarOccupancy {
   SonarOccupancyOptions options_;
   RingLayout ring_, bumper_;
   double radius_, reach_, tangent_;
+  double aperture_;  ///< cones begin so wide to either side, that there is no gap between them [m]
   ConfigurationSpace space_;
   Grid<float> evidence_;
   Grid<std::int32_t> freed_;  ///< in which scan the cell was found free last
