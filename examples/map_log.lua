@@ -13,7 +13,7 @@ local options = require "meander.arguments" {
   { "--preset NAME", default = "real", help = "networks: the sonar that their weights were trained for" },
   { "--fusion NAME", default = "viewbin", values = { "viewbin", "bayes" }, help = "how scans are fused" },
   { "--strict", help = "refuse a file with records that cannot be right" },
-  { "--range-max METRES", default = 6.477, help = "a reading from here on is no echo" },
+  { "--range-max METRES", default = 6.477, least = 0.1, most = 1000, help = "a reading from here on is no echo" },
   { "--json", help = "one JSON object instead of text" },
   { "--out DIR", default = "out", help = "folder for picture and map" },
   { "FILE ...", rest = true, help = "the log, at most one" },
@@ -41,11 +41,13 @@ robot.sonar = log.ring or { count = log.sonars }
 local map = report.try(report.usage_error, path, meander.mapping.map, {
   model = options.model, preset = options.preset, fusion = options.fusion, range_max = options.range_max, robot = robot,
 })
-for i = 1, #log do map:update(log[i]) end
-
+-- A pose far off makes a map too large to be kept or drawn.
+report.try(report.failure, path, function()
+  for i = 1, #log do map:update(log[i]) end
+end)
 local stem = report.path(options, "map_log")
-map:save(stem .. ".yaml")
-meander.render.save(map, stem .. ".svg")
+report.try(report.failure, path, map.save, map, stem .. ".yaml")
+report.try(report.failure, path, meander.render.save, map, stem .. ".svg")
 local counts = log.report
 if options.json then
   counts.example, counts.sonars, counts.model = "map_log", log.sonars, options.model

@@ -14,9 +14,9 @@ local options = require "meander.arguments" {
   { "--model NAMES", default = "all", help = "one or several with commas, or all" },
   { "--sonar NAMES", default = "ideal,real", help = "ideal, real, or both with a comma" },
   { "--against NAME", default = "nn4", values = meander.mapping.models(), help = "model that the others are compared with" },
-  { "--rooms N", default = 20, help = "rooms, each with a seed of its own" },
-  { "--poses N", default = 30, help = "places in each" },
-  { "--seed N", default = 2001, help = "seed of the first room" },
+  { "--rooms N", default = 20, least = 1, help = "rooms, each with a seed of its own" },
+  { "--poses N", default = 30, least = 1, help = "places in each" },
+  { "--seed N", default = 2001, least = 0, help = "seed of the first room" },
   { "--json", help = "one JSON object per model and sonar instead of text" },
   { "--out DIR", default = "", help = "folder for the figures as JSON lines; none when empty" },
 }

@@ -21,13 +21,22 @@ local options = require "meander.arguments" {
   { "--robot NAME", default = "nomad200", values = meander.robot.platforms(), help = "kind of robot" },
   { "--hidden UNITS", default = "16,16", help = "units of the hidden layers" },
   { "--method NAME", default = "adam", values = { "adam", "backprop" }, help = "how it learns" },
-  { "--epochs N", default = 40, help = "times that every cell is seen" },
-  { "--rooms N", default = 40, help = "rooms to learn in; a quarter as many to watch and to measure" },
-  { "--poses N", default = 50, help = "places in each" },
-  { "--seed N", default = 1, help = "seed of rooms, places and weights" },
+  { "--epochs N", default = 40, least = 1, help = "times that every cell is seen" },
+  { "--rooms N", default = 40, least = 1, help = "rooms to learn in; a quarter as many to watch and to measure" },
+  { "--poses N", default = 50, least = 1, help = "places in each" },
+  { "--seed N", default = 1, least = 0, help = "seed of rooms, places and weights" },
   { "--json", help = "one JSON object per network instead of text" },
   { "--out DIR", default = "out", help = "folder of the weights and of the picture of the losses" },
 }
+
+local hidden = {}
+for word in (options.hidden .. ","):gmatch "([^,]*)," do
+  local units = word:match "^%s*%d+%s*$" and math.tointeger(tonumber(word))
+  if not units or units < 1 then
+    report.usage_error("--hidden: units of each layer with commas, such as 16,16, expected, got '" .. options.hidden .. "'")
+  end
+  hidden[#hidden + 1] = units
+end
 
 local function say(...) if not options.json then print(...) end end
 
@@ -45,9 +54,6 @@ local training, validation, test = lessons(100000000, options.rooms), lessons(20
 say("to learn from:", training)
 say("to watch:     ", validation)
 say("to measure on:", test)
-
-local hidden = {}
-for units in options.hidden:gmatch "%d+" do hidden[#hidden + 1] = math.tointeger(units) end
 
 local function made_by(name)
   return ("examples/train_sonar_model.lua --network %s --sonar %s --robot %s --hidden %s --method %s --epochs %d --rooms %d --poses %d --seed %d")
