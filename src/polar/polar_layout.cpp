@@ -10,10 +10,11 @@ namespace meander {
 namespace {
 
 constexpr double kMostBins = 4096;
+constexpr double kLeastSpacing = 1e-6;  ///< between rings [m]
 
 std::vector<double> log_radii(const PolarLayoutOptions& o) {
   if (!(o.innermost < o.scope))
-    fail("option 'innermost': less than the scope {} m expected, got {}", o.scope, o.innermost);
+    fail("option 'map.innermost': less than map.scope = {} m expected, got {}", o.scope, o.innermost);
   std::vector<double> radii(static_cast<std::size_t>(o.rings), 0.0);
   // The factor by bisection: powers by multiplication have the same bits everywhere, the library's need not.
   const auto power = [](double base, int exponent) {
@@ -28,6 +29,10 @@ std::vector<double> log_radii(const PolarLayoutOptions& o) {
   }
   for (int i = 1; i < o.rings; ++i) radii[static_cast<std::size_t>(i)] = o.innermost * power(low, i - 1);
   radii.back() = o.scope;
+  for (std::size_t i = 1; i < radii.size(); ++i)
+    if (!(radii[i] - radii[i - 1] >= kLeastSpacing))
+      fail("option 'map.innermost': {} rings at least {} m apart expected up to map.scope = {} m, got {}", o.rings,
+           kLeastSpacing, o.scope, o.innermost);
   return radii;
 }
 

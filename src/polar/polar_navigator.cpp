@@ -11,6 +11,7 @@ namespace meander {
 namespace {
 
 constexpr int kFewScans = 2;       ///< of the last resort before turning in place
+constexpr double kFaint = 1e-150;  ///< activation
 constexpr double kLooking = 0.4;   ///< turning rate when there is no way [rad/s]
 constexpr double kAligned = 0.05;  ///< [rad]
 enum Layer : std::size_t { plan, hard, soft };
@@ -30,7 +31,7 @@ PolarOptions checked(const PolarOptions& given, const Platform& platform) {
 std::optional<LayoutOrganiser> organiser_of(const PolarMapOptions& map, const PolarParts& parts) {
   if (map.layout.layout == PolarPlacing::fixed) return std::nullopt;
   if (map.weights != PolarWeights::finite_volume || parts.weights)
-    fail("option 'layout': self_organising needs weights = \"finite_volume\"");
+    fail("option 'map.layout': self_organising needs map.weights = \"finite_volume\"");
   return LayoutOrganiser(map.layout, map.organising);
 }
 
@@ -60,7 +61,24 @@ PolarNavigator::PolarNavigator(const Platform& platform, const PolarOptions& opt
       readout_(options_.subgoal, options_.map.kappa),
       control_(platform.body, options_.control, parts_.objective),
       trap_(platform, options_.trap),
-      planned_(&projection_.layer(plan)) {}
+      planned_(&projection_.layer(plan)) {
+  check_decay();
+}
+
+/// A double has room for 300 decades: half of them for the way from the scope in the open leave half for ways round.
+void PolarNavigator::check_decay() {
+  const int rim = layout_.rings() - 1;
+  solver_.solve(projection_.layer(plan), rim, {.passes = 1, .exact = false});
+  if (solver_.activation(0, 0) >= kFaint) return;
+  if (parts_.weights)
+    fail("weights: too little activation arrives from the scope in the open ({:.1g}, at least {:g} expected)",
+         solver_.activation(0, 0), kFaint);
+  fail(
+      "option 'map.kappa': with map.scope = {} m and {} rings a kappa expected with which at least {:g} of the "
+      "activation "
+      "arrives from the scope in the open, got {} ({:.1g} arrives)",
+      layout_.scope(), layout_.rings(), kFaint, options_.map.kappa, solver_.activation(0, 0));
+}
 
 void PolarNavigator::reset() {
   memory_.clear();

@@ -42,6 +42,7 @@ class PolarNavigator {
   const Predictor& predictor() const { return predictor_; }
 
  private:
+  void check_decay();
   NavigatorStep arrive(const Observation& observation, const Subgoal& subgoal) const;
   void place_map(const Vec2& target);
   void map_points(const Observation& observation);

@@ -32,11 +32,21 @@ void check_scope(const PolarOptions& o, const Body& body) {
         least, body.radius, margin, kSeen, o.map.layout.scope);
 }
 
+void check_order(const char* less, double a, const char* more, double b) {
+  if (!(a <= b)) fail("option '{}': at most {} = {} m expected, got {}", less, more, b, a);
+}
+
 }  // namespace
 
 void check(const PolarOptions& options, const Body& body) {
   validate(options);
   check_scope(options, body);
+  check_order("map.narrow_margin", options.map.narrow_margin, "map.margin", options.map.margin);
+  check_order("control.hard_margin", options.control.hard_margin, "control.soft_margin", options.control.soft_margin);
+  check_order("subgoal.read_radius", options.subgoal.read_radius, "map.scope", options.map.layout.scope);
+  if (!(options.memory.range_min < options.memory.range_max))
+    fail("option 'memory.range_min': less than memory.range_max = {} m expected, got {}", options.memory.range_max,
+         options.memory.range_min);
 }
 
 }  // namespace meander

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: the meander authors
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "polar/polar_navigator.hpp"
 #include "polar_flatland.hpp"
 
@@ -50,6 +52,45 @@ TEST(PolarLimits, TheLeastScopeDrivesAgainstAWall) {
   for (int k = 0; k < 150; ++k) plane.step(navigator, {.position = {4, 0.3}, .heading = {}, .name = {}});
   for (const MappedPoint& point : polar_inside(navigator)->points())
     EXPECT_LE(point.position.norm(), options.map.layout.scope);
+}
+
+TEST(PolarLimits, DecaysThatNoNumberHoldsAreRefused) {
+  for (const auto& [scope, kappa] : std::vector<std::pair<double, double>>{{30, 30}, {60, 20}, {10, 200}}) {
+    PolarOptions options;
+    options.map.layout.scope = scope;
+    options.map.layout.rings = 512;
+    options.map.kappa = kappa;
+    EXPECT_TRUE(names(complaint(options), {"map.kappa", "map.scope"})) << complaint(options);
+  }
+  PolarOptions wide;
+  wide.map.layout.scope = 10;
+  wide.map.layout.rings = 512;
+  EXPECT_EQ(complaint(wide), "");
+}
+
+TEST(PolarLimits, RingsThatHardlyGrowAreRefused) {
+  PolarOptions options;
+  options.map.layout.radii = PolarRadii::log;
+  options.map.layout.innermost = std::nextafter(2.54, 0);
+  EXPECT_TRUE(names(complaint(options), {"map.innermost", "2.54", "apart"})) << complaint(options);
+  options.map.layout.innermost = 3;
+  EXPECT_TRUE(names(complaint(options), {"map.innermost", "less than map.scope"})) << complaint(options);
+}
+
+TEST(PolarLimits, OptionsThatContradictEachOtherAreRefused) {
+  const auto with = [](auto change) {
+    PolarOptions options;
+    change(options);
+    return complaint(options);
+  };
+  EXPECT_EQ(with([](PolarOptions& o) { o.memory.range_min = o.memory.range_max = 3; }),
+            "option 'memory.range_min': less than memory.range_max = 3 m expected, got 3");
+  EXPECT_EQ(with([](PolarOptions& o) { o.control.hard_margin = 0.5; }),
+            "option 'control.hard_margin': at most control.soft_margin = 0.3 m expected, got 0.5");
+  EXPECT_EQ(with([](PolarOptions& o) { o.map.narrow_margin = 0.06; }),
+            "option 'map.narrow_margin': at most map.margin = 0.05 m expected, got 0.06");
+  EXPECT_EQ(with([](PolarOptions& o) { o.subgoal.read_radius = 3; }),
+            "option 'subgoal.read_radius': at most map.scope = 2.54 m expected, got 3");
 }
 
 TEST(PointMapper, APointPushedBeyondTheScopeIsLeftOut) {
