@@ -30,12 +30,12 @@ float told(const ConePlace& at, float range, const ConeModelOptions& o, bool ech
 }  // namespace
 
 SonarModel cone_model(const RingLayout& ring, const ConeModelOptions& options) {
-  validate(ring, "ring.");
+  check_sonars("model \"elfes\"", ring);
   validate(options);
   const double reach = options.trust + ring.radius;
   const auto evaluate = [=](const SonarSweep& sweep, const CellPlaces& cells, std::span<float> log_odds) {
     std::fill_n(log_odds.begin(), cells.size(), 0.0F);
-    for_each_cone(sweep, ring, cells, static_cast<float>(reach),
+    for_each_cone(sweep, ring, options.half_cone, cells, static_cast<float>(reach),
                   [&](std::size_t cell, const ConePlace& at, double range) {
                     log_odds[cell] += told(at, static_cast<float>(range), options, range < sweep.range_max);
                   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/angle.hpp"
@@ -26,19 +27,23 @@ inline ConePlace cone_place(float range, float off, float radius) {
 }
 
 /// Calls visit(cell, place, reading [m]) for every cell, up to `reach` from the centre, with the readings in whose
-/// cones it may lie: of the transducer that points most nearly its way, and of its neighbours.
+/// cones it may lie: of the transducer that points most nearly its way, and of as many beside it as have cones of
+/// `half_cone` there; the ring has at least one.
 template <class Visit>
-void for_each_cone(const SonarSweep& sweep, const RingLayout& ring, const CellPlaces& cells, float reach, Visit visit) {
+void for_each_cone(const SonarSweep& sweep, const RingLayout& ring, double half_cone, const CellPlaces& cells,
+                   float reach, Visit visit) {
   const auto pitch = static_cast<float>(2 * kPi / ring.count), first = static_cast<float>(ring.first);
   const auto radius = static_cast<float>(ring.radius);
-  const int beside = ring.count < 3 ? 0 : 1;
+  // From the centre a cell is never farther off the axis than from the transducer. No sonar is asked twice.
+  const int overlapping = static_cast<int>(half_cone * ring.count / (2 * kPi) + 0.5);
+  const int beside = std::min(overlapping, (ring.count - 1) / 2);
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    if (cells.range[cell] > reach) continue;
+    if (!(cells.range[cell] <= reach)) continue;
     const float turns = (cells.bearing[cell] - first) / pitch;
     const auto nearest = static_cast<int>(std::lrint(turns));
     for (int i = nearest - beside; i <= nearest + beside; ++i) {
       const float off = (turns - static_cast<float>(i)) * pitch;
-      if (std::abs(off) > 1) continue;
+      if (!(std::abs(off) <= 1)) continue;  // also what is no number
       const int sonar = ((i % ring.count) + ring.count) % ring.count;
       visit(cell, cone_place(cells.range[cell], off, radius), sweep.ranges[static_cast<std::size_t>(sonar)]);
     }

@@ -33,10 +33,9 @@ LocalMap::LocalMap(const Platform& platform, SonarModel model, const LocalMapOpt
       sweeps_(platform.sonar, options.range_max),
       views_(options.fusion, options.fusion.rule == Fusion::viewbin ? options.size : 0, options.resolution),
       low_{-options.size / 2, -options.size / 2} {
-  if (model_.ring.count != platform.sonar.count || std::abs(model_.ring.radius - platform.sonar.radius) > 1e-9 ||
-      std::abs(angle_between(model_.ring.first, platform.sonar.first)) > 1e-9)
-    fail("model \"{}\": made for a ring of {} sonars of radius {} m, got a robot with {} of radius {} m", model_.name,
-         model_.ring.count, model_.ring.radius, platform.sonar.count, platform.sonar.radius);
+  const std::string name = fmt::format("model \"{}\"", model_.name);
+  check_sonars(name, platform.sonar);
+  check_ring(name, model_.ring, platform.sonar);
   const auto cells = static_cast<std::size_t>(options_.size) * static_cast<std::size_t>(options_.size);
   for (auto* list : {&range_, &bearing_, &told_, &increments_, &cells_}) list->resize(cells);
 }

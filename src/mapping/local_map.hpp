@@ -32,7 +32,7 @@ void fields(Options& o, Visitor&& visit) {
 /// as far as cells go, so that turning costs nothing and nothing is ever resampled. Cells hold log-odds; 0: unknown.
 class LocalMap {
  public:
-  /// The model must be for the platform's ring. Throws ArgumentError.
+  /// The model must be for the platform's ring, which has sonars. Throws ArgumentError.
   LocalMap(const Platform& platform, SonarModel model, const LocalMapOptions& options = {});
 
   /// Takes in one scan. Throws ArgumentError when the readings are not those of the ring or the pose is no place.

@@ -34,12 +34,12 @@ float told(const ConePlace& at, double range, const RangeLayerOptions& o, bool e
 }  // namespace
 
 SonarModel range_layer_model(const RingLayout& ring, const RangeLayerOptions& options) {
-  validate(ring, "ring.");
+  check_sonars("model \"ros\"", ring);
   validate(options);
   const double reach = options.reliable + ring.radius + 2;  // weights beyond are below 1/3000
   const auto evaluate = [=](const SonarSweep& sweep, const CellPlaces& cells, std::span<float> log_odds) {
     std::fill_n(log_odds.begin(), cells.size(), 0.0F);
-    for_each_cone(sweep, ring, cells, static_cast<float>(reach),
+    for_each_cone(sweep, ring, options.half_cone, cells, static_cast<float>(reach),
                   [&](std::size_t cell, const ConePlace& at, double range) {
                     log_odds[cell] += told(at, range, options, range < sweep.range_max);
                   });

@@ -53,9 +53,8 @@ namespace mapping {
 
 SonarSelector::SonarSelector(const RingLayout& ring, const SonarFeatures& features)
     : ring_(ring), features_(features), per_pitch_(static_cast<float>(ring.count / (2 * kPi))) {
-  validate(ring, "ring.");
+  check_sonars("sonar network", ring, 3);
   check_features(features);
-  if (ring.count < 3) fail("sonar network: a ring of 3 sonars or more expected, got {}", ring.count);
   readings_.assign(static_cast<std::size_t>(2 * kTurns * ring.count + 2), 0.0F);
 }
 

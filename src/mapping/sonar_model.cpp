@@ -3,8 +3,10 @@
 #include "mapping/sonar_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/names.hpp"
+#include "geometry/angle.hpp"
 #include "mapping/classic_models.hpp"
 #include "mapping/sonar_network.hpp"
 
@@ -21,7 +23,24 @@ constexpr Entry kModels[] = {
     {"ros", [](const SonarModelOptions& options) { return range_layer_model(options.ring); }},
 };
 
+constexpr double kSamePlace = 1e-9;  ///< [m], [rad]
+
 }  // namespace
+
+void check_sonars(const std::string& what, const RingLayout& ring, int least) {
+  validate(ring, "ring.");
+  if (ring.count < least)
+    fail("{}: a ring of {} sonar{} or more expected, got {}", what, least, least > 1 ? "s" : "", ring.count);
+}
+
+void check_ring(const std::string& what, const RingLayout& made_for, const RingLayout& ring) {
+  const auto text = [](const RingLayout& r) {
+    return fmt::format("{} sonars at {} m, the first at {} rad", r.count, r.radius, r.first);
+  };
+  if (made_for.count != ring.count || !(std::abs(made_for.radius - ring.radius) <= kSamePlace) ||
+      !(std::abs(angle_between(made_for.first, ring.first)) <= kSamePlace))
+    fail("{}: made for a ring of {}; this one has {}", what, text(made_for), text(ring));
+}
 
 SonarModel sonar_model(const std::string& name, const SonarModelOptions& options) {
   const auto networks = sonar_network_names();

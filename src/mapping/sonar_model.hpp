@@ -47,6 +47,11 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"table", "", "networks: compiled to a lookup table, faster and a little worse"}, o.table);
 }
 
+/// Throws ArgumentError when the ring is none or has fewer sonars than `what` needs.
+void check_sonars(const std::string& what, const RingLayout& ring, int least = 1);
+/// Throws ArgumentError that tells the two apart when they are different rings.
+void check_ring(const std::string& what, const RingLayout& made_for, const RingLayout& ring);
+
 /// A new model; throws ArgumentError that lists the known names.
 SonarModel sonar_model(const std::string& name, const SonarModelOptions& options = {});
 std::vector<std::string> sonar_model_names();

@@ -127,14 +127,6 @@ SonarModel network_model(const SonarNetwork& network) {
           }};
 }
 
-void check_ring(const std::string& what, const RingLayout& made_for, const RingLayout& ring) {
-  const auto text = [](const RingLayout& r) {
-    return fmt::format("{} sonars at {} m, the first at {} rad", r.count, r.radius, r.first);
-  };
-  if (made_for.count != ring.count || made_for.radius != ring.radius || made_for.first != ring.first)
-    fail("{}: made for a ring of {}; this one has {}", what, text(made_for), text(ring));
-}
-
 SonarNetwork shipped_network(const std::string& name, const std::string& preset, const RingLayout& ring) {
   sonar_features(name);
   const std::string path = fmt::format("models/{}_{}.txt", name, preset);

@@ -38,9 +38,6 @@ NetworkScore model_score(const SonarModel& model, const SonarLessons& lessons);
 SonarModel network_model(const SonarNetwork& network);
 SonarModel table_model(const SonarNetwork& network);
 
-/// Throws ArgumentError that tells the two apart when they differ.
-void check_ring(const std::string& what, const RingLayout& made_for, const RingLayout& ring);
-
 /// The shipped one of this name for a preset of the sonar. Throws ArgumentError when there is none for it or for the
 /// ring.
 SonarNetwork shipped_network(const std::string& name, const std::string& preset, const RingLayout& ring);

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "base/random.hpp"
@@ -59,6 +60,38 @@ TEST(ClassicModels, NoEchoClearsTheConeOfElfesAndRosOnlyWhenAsked) {
   RangeLayerOptions clearing;
   clearing.clear_beyond = true;
   EXPECT_LT(told(range_layer_model(ring, clearing), none, 1, 0), -0.5);
+}
+
+TEST(ClassicModels, EveryConeThatHasTheCellIsAsked) {
+  ConeModelOptions elfes;
+  RangeLayerOptions ros;
+  elfes.half_cone = ros.half_cone = 0.5;
+  Stream random(4, "rings");
+  for (const int count : {1, 2, 3, 4, 5, 16, 37, 72, 300}) {
+    const RingLayout ring{count, 0.2, 0.1};
+    const auto one = [&](int i) { return RingLayout{1, 0.2, wrap_angle(0.1 + 2 * kPi * i / count)}; };
+    for (int trial = 0; trial < 10; ++trial) {
+      const auto range = static_cast<float>(random.uniform(0.3, 1.5)), at = static_cast<float>(random.uniform(-3, 3));
+      const std::vector<double> ranges(static_cast<std::size_t>(count), 1.0);
+      double cones = 0, layers = 0;
+      for (int i = 0; i < count; ++i) {
+        cones += static_cast<double>(told(cone_model(one(i), elfes), {1.0}, range, at));
+        layers += static_cast<double>(told(range_layer_model(one(i), ros), {1.0}, range, at));
+      }
+      EXPECT_NEAR(told(cone_model(ring, elfes), ranges, range, at), cones, 0.01) << count;
+      EXPECT_NEAR(told(range_layer_model(ring, ros), ranges, range, at), layers, 0.01) << count;
+    }
+  }
+}
+
+TEST(ClassicModels, RobotWithoutSonarsIsRefused) {
+  const RingLayout none = platform("alice").sonar;
+  ASSERT_EQ(none.count, 0);
+  EXPECT_THROW(cone_model(none), ArgumentError);
+  EXPECT_THROW(range_layer_model(none), ArgumentError);
+  const float nan = std::nanf("");
+  EXPECT_EQ(told(cone_model({}), std::vector<double>(16, 1.0), nan, 0), 0);
+  EXPECT_EQ(told(cone_model({}), std::vector<double>(16, 1.0), 1, nan), 0);
 }
 
 TEST(ClassicModels, OptionsOutOfRangeAreErrors) {

@@ -265,6 +265,9 @@ TEST(LocalMap, RefusesWhatIsNoScanAndNoPlace) {
   EXPECT_THROW(map.step(seen_from({0, 0, std::numeric_limits<double>::quiet_NaN()})), ArgumentError);
   map.step(seen_from({0, 0, 0}, std::numeric_limits<double>::quiet_NaN()));
   EXPECT_THROW(LocalMap(platform("scout"), telling(0.1F)), ArgumentError) << "a model for another ring";
+  EXPECT_THROW(LocalMap(platform("alice"), {.name = "none", .ring = platform("alice").sonar, .evaluate = {}}),
+               ArgumentError)
+      << "a robot without sonars";
   LocalMapOptions fine;
   fine.fusion.view_range = 0.05;
   fine.size = 400;

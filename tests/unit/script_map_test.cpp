@@ -70,6 +70,16 @@ TEST_F(MapScript, MistakesAreTold) {
             std::string::npos);
 }
 
+TEST_F(MapScript, RobotWithoutSonarsIsRefused) {
+  for (const std::string model : {"'elfes'", "'ros'", "'nn4'", "function() return {} end"})
+    EXPECT_NE(run("meander.mapping.map { model = " + model + ", robot = 'alice' }").find("error: test:1:"),
+              std::string::npos)
+        << model;
+  EXPECT_NE(run("meander.mapping.map { model = 'elfes', robot = 'alice' }")
+                .find("model \"elfes\": a ring of 1 sonar or more expected, got 0"),
+            std::string::npos);
+}
+
 TEST_F(MapScript, NavigatorsUseIt) {
   EXPECT_EQ(run("n = meander.autonomy.map_navigator { map = { model = 'elfes' } } "
                 "r = s:drive { navigator = n, subgoals = { {5.2, 3} }, time_limit = 60 } return r.success, r.contacts"),
