@@ -47,7 +47,7 @@ local ways = candidates.chosen(options.way, all_ways, "way")
 -- Even shares of [-1, 1] over the seeds: multiples of the golden ratio.
 local function share(seed) return 2 * (seed * 0.6180339887498949 % 1) - 1 end
 
--- The goal is behind what stands in the way: a wall met at up to 60 degrees, a pole of 6 cm met with up to 0.2 m of the hull.
+-- The goal is behind what stands in the way: a wall met at up to 60 degrees, a pole 6 cm thick met up to 0.2 m beside the middle.
 local function obstructed(angle, beside, add)
   local world = meander.world.new { bounds = { { 0, 0 }, { 10, 10 } } }
   add(world)
