@@ -13,6 +13,7 @@ constexpr double kLeast = -20, kMost = 30;    ///< evidence is kept within
 constexpr double kFree = -1.5, kWear = -0.3;  ///< of a cone: on a cell, on a certain wall
 constexpr double kContact = 13;               ///< of a bumper that is pressed
 constexpr double kRoom = 8, kRim = 4;         ///< room made around a point, the least that is left [m]
+constexpr double kBetween = 0.6;              ///< so far out cones are taken to begin as wide as their distance [m]
 constexpr int kFirstScans = 3;                ///< count although the robot has not moved
 constexpr double kTurned = 0.1;               ///< a turn by this shows something else, too [rad]
 
@@ -105,8 +106,8 @@ void SonarOccupancy::for_cells(const Cone& cone, double reach, Visit visit) {
       const Vec2 to = origin + frame.resolution * Vec2(x + 0.5, y + 0.5) - cone.at;
       const double along = to.dot(cone.axis);
       const double across = std::abs(cone.axis.x() * to.y() - cone.axis.y() * to.x());
-      if (along <= 0 || across > tangent_ * along + aperture_) continue;
       const double distance = to.norm();
+      if (along <= 0 || across > tangent_ * along + (distance < kBetween ? aperture_ : 0)) continue;
       if (distance <= reach) visit(Cell{x, y}, distance);
     }
 }
