@@ -22,9 +22,10 @@ ViewMemory::ViewMemory(const FusionOptions& options, int size, double resolution
       per_radian_(static_cast<float>(sectors_ / (2 * kPi))),
       per_metre_(static_cast<float>(1 / options.view_range)),
       blend_(static_cast<float>(options.view_blend)),
-      unit_(log_odds_of(options.certainty) / 127),
+      unit_(log_odds_of(options.certainty) / kMost),
       remember_(options.remember_views),
-      last_(cells_, -1) {
+      sum_(cells_, 0),
+      last_(remember_ ? 0 : cells_, -1) {
   const std::size_t opinions = cells_ * static_cast<std::size_t>(sectors_ * rings_);
   if (opinions > kMostOpinions)
     fail("{} views of each of {} cells are more than can be kept: a larger view_bearing or view_range expected",
@@ -34,18 +35,25 @@ ViewMemory::ViewMemory(const FusionOptions& options, int size, double resolution
 
 float ViewMemory::increment(std::size_t cell, int view, float log_odds) {
   std::int8_t& opinion = opinion_[static_cast<std::size_t>(view) * cells_ + cell];
-  if (!remember_ && last_[cell] != view) opinion = kNone;
-  last_[cell] = static_cast<std::int16_t>(view);
+  if (!remember_) {
+    if (last_[cell] != view) opinion = kNone;
+    last_[cell] = view;
+  }
   const bool first = opinion == kNone;
   const float before = first ? 0 : static_cast<float>(opinion);
   const float now = before + (first ? 1 : blend_) * (log_odds / unit_ - before);
+  const int known = first ? 0 : opinion;
   opinion = static_cast<std::int8_t>(std::lrint(now));
-  return (static_cast<float>(opinion) - before) * unit_;
+  const std::int32_t was = std::clamp(sum_[cell], -kMost, kMost);
+  // Opinions that are forgotten are never taken back: their sum is kept within the limit as evidence is.
+  sum_[cell] = (remember_ ? sum_[cell] : was) + opinion - known;
+  return static_cast<float>(std::clamp(sum_[cell], -kMost, kMost) - was) * unit_;
 }
 
 void ViewMemory::forget(std::size_t cell) {
   for (std::size_t at = cell; at < opinion_.size(); at += cells_) opinion_[at] = kNone;
-  last_[cell] = -1;
+  sum_[cell] = 0;
+  if (!remember_) last_[cell] = -1;
 }
 
 }  // namespace meander

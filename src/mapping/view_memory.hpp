@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -20,22 +21,27 @@ class ViewMemory {
     const auto ring = static_cast<int>(range * per_metre_);
     return (ring < rings_ ? ring : rings_ - 1) * sectors_ + sector;
   }
-  /// What the scan adds to the evidence on the cell: log-odds that its view had not known.
+  /// What the scan adds to the evidence on the cell, which stays within the limit: the opinions add up without one, so
+  /// that a view which changes its mind takes back no more than it had said.
   float increment(std::size_t cell, int view, float log_odds);
+  /// The robot stands there.
+  void set_free(std::size_t cell) { sum_[cell] = std::min(sum_[cell], -kMost); }
   void forget(std::size_t cell);
-  std::size_t bytes() const { return opinion_.capacity() + 2 * last_.capacity(); }
+  std::size_t bytes() const { return opinion_.capacity() + 4 * (sum_.capacity() + last_.capacity()); }
 
  private:
   static constexpr std::int8_t kNone = -128;
+  static constexpr std::int32_t kMost = 127;  ///< the limit, of opinions and of what is told of their sum
   static constexpr float kTurn = static_cast<float>(2 * kPi);
 
   std::size_t cells_;
   int sectors_, rings_;
   float per_radian_, per_metre_;
-  float blend_, unit_;  ///< opinions are kept in units of `unit_`, 127 of them the limit
+  float blend_, unit_;  ///< opinions are kept in units of `unit_`, kMost of them the limit
   bool remember_;
   std::vector<std::int8_t> opinion_;  ///< cell by cell within view by view
-  std::vector<std::int16_t> last_;    ///< view of the cell's last scan
+  std::vector<std::int32_t> sum_;     ///< of the opinions on each cell
+  std::vector<std::int32_t> last_;    ///< view of the cell's last scan, where views are not remembered
 };
 
 }  // namespace meander
