@@ -14,15 +14,23 @@ int floored(int value, int size) { return value >= 0 ? value / size : -((-value 
 }  // namespace
 
 GlobalMap::Tile& GlobalMap::tile(int column, int row) {
-  const auto found = tiles_.find({row, column});
-  if (found != tiles_.end()) return *found->second;
-  if (tiles_.size() >= kMostTiles)
+  auto& tile = tiles_[{row, column}];
+  if (!tile) tile = std::make_unique<Tile>(Tile{});
+  return *tile;
+}
+
+void GlobalMap::check_room(Cell low, int size) const {
+  std::size_t tiles = tiles_.size();
+  for (int row = floored(low.y, kTile); row <= floored(low.y + size - 1, kTile); ++row)
+    for (int column = floored(low.x, kTile); column <= floored(low.x + size - 1, kTile); ++column)
+      tiles += tiles_.contains({row, column}) ? 0 : 1;
+  if (tiles > kMostTiles)
     fail<Error>("the global map is full: {} m^2 are kept",
                 static_cast<double>(kMostTiles) * kTile * kTile * resolution_ * resolution_);
-  return *tiles_.emplace(std::pair(row, column), std::make_unique<Tile>(Tile{})).first->second;
 }
 
 void GlobalMap::add(Cell low, int size, std::span<const float> increments) {
+  check_room(low, size);
   for (int row = floored(low.y, kTile); row <= floored(low.y + size - 1, kTile); ++row)
     for (int column = floored(low.x, kTile); column <= floored(low.x + size - 1, kTile); ++column) {
       Tile& to = tile(column, row);

@@ -19,6 +19,8 @@ class GlobalMap {
 
   /// Evidence for a square of cells, row by row from `low`. Throws Error when the map would be larger than kMostTiles.
   void add(Cell low, int size, std::span<const float> increments);
+  /// Throws what add() would throw.
+  void check_room(Cell low, int size) const;
   /// 0: unknown.
   float log_odds(Cell cell) const;
   Cell cell(const Vec2& point) const { return GridFrame{resolution_, {}}.cell(point); }

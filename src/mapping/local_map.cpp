@@ -43,21 +43,27 @@ LocalMap::LocalMap(const Platform& platform, SonarModel model, const LocalMapOpt
 /// One scan, as [CN] Figure 1 and section 3.1 list it.
 void LocalMap::step(const Observation& observation) {
   const Pose2& pose = observation.odometry.pose;
-  slide(pose);                                                         // 3.3 local maps
-  place_cells(pose);                                                   // Figure 3: R and theta of every cell
+  const Cell low = low_around(pose);                                   // what is refused leaves the map as it was
   const SonarSweep sweep = sweeps_.sweep(observation.readings, pose);  // Figure 1: sensor readings
+  place_cells(low, pose);                                              // Figure 3: R and theta of every cell
   model_.evaluate(sweep, {range_, bearing_}, told_);                   // sensors selector and network: P(c|o)
+  slide(low);                                                          // 3.3 local maps
   weigh(pose.heading);                                                 // what of it is new
   update();                                                            // [CN] eq. (4)
 }
 
-/// The robot's cell stays in the middle; cells that enter are unknown.
-void LocalMap::slide(const Pose2& robot) {
+Cell LocalMap::low_around(const Pose2& robot) const {
   const double reach = kFarthest * options_.resolution;
   if (!(std::abs(robot.x) < reach && std::abs(robot.y) < reach && std::isfinite(robot.heading)))
     fail("a pose within {} m of the origin expected, got ({}, {}, {})", reach, robot.x, robot.y, robot.heading);
+  const Cell middle = cell(robot.position());
+  return {middle.x - options_.size / 2, middle.y - options_.size / 2};
+}
+
+/// The robot's cell stays in the middle; cells that enter are unknown.
+void LocalMap::slide(Cell to) {
   const int size = options_.size;
-  const Cell middle = cell(robot.position()), to{middle.x - size / 2, middle.y - size / 2}, from = low_;
+  const Cell from = low_;
   low_ = to;
   if (to == from) return;
   if (std::abs(to.x - from.x) >= size || std::abs(to.y - from.y) >= size) return clear();
@@ -87,8 +93,8 @@ std::size_t LocalMap::slot(Cell cell) const {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(options_.size) + static_cast<std::size_t>(x);
 }
 
-void LocalMap::place_cells(const Pose2& pose) {
-  cell_places(center(low_) - pose.position(), options_.resolution, options_.size, options_.size,
+void LocalMap::place_cells(Cell low, const Pose2& pose) {
+  cell_places(center(low) - pose.position(), options_.resolution, options_.size, options_.size,
               wrap_angle(pose.heading), range_, bearing_);
 }
 
@@ -103,9 +109,10 @@ void LocalMap::weigh(double heading) {
     auto column = static_cast<std::size_t>(modulo(low_.x, options_.size));
     for (std::size_t k = 0; k < size; ++k, ++i, column = column + 1 < size ? column + 1 : 0) {
       const float told = std::clamp(told_[i], -limit_, limit_);
-      if (range_[i] < body_radius_)
+      if (range_[i] < body_radius_) {
         increments_[i] = -2 * limit_;
-      else if (by_view && told != 0)
+        if (by_view) views_.set_free(begin + column);
+      } else if (by_view && told != 0)
         increments_[i] = views_.increment(begin + column, views_.view(bearing_[i] + turned, range_[i]), told);
       else
         increments_[i] = told;

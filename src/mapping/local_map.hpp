@@ -35,7 +35,8 @@ class LocalMap {
   /// The model must be for the platform's ring, which has sonars. Throws ArgumentError.
   LocalMap(const Platform& platform, SonarModel model, const LocalMapOptions& options = {});
 
-  /// Takes in one scan. Throws ArgumentError when the readings are not those of the ring or the pose is no place.
+  /// Takes in one scan. Throws ArgumentError when the readings are not those of the ring or the pose is no place, and
+  /// whatever the model throws; the map stays as it was then.
   void step(const Observation& observation);
   void clear();
 
@@ -47,6 +48,8 @@ class LocalMap {
   }
   Cell cell(const Vec2& point) const { return frame().cell(point); }
   Vec2 center(Cell cell) const { return frame().center(cell); }
+  /// Lower left cell of the window around a robot. Throws ArgumentError when the pose is no place.
+  Cell low_around(const Pose2& robot) const;
   /// Lower left cell of the window.
   Cell low() const { return low_; }
   const LocalMapOptions& options() const { return options_; }
@@ -60,9 +63,9 @@ class LocalMap {
   std::size_t bytes() const;
 
  private:
-  void slide(const Pose2& robot);
+  void slide(Cell to);
   void forget(Cell cell);
-  void place_cells(const Pose2& pose);
+  void place_cells(Cell low, const Pose2& pose);
   void weigh(double heading);
   void update();
   GridFrame frame() const { return {options_.resolution, {}}; }

@@ -24,8 +24,10 @@ class SonarMap {
     if (keeps_global) global_.emplace(options.resolution, local_.limit());
   }
 
-  /// Takes in one scan. Throws ArgumentError as LocalMap::step does, Error when the global map is full.
+  /// Takes in one scan. Throws ArgumentError as LocalMap::step does, Error when the global map is full; both maps stay
+  /// as they were then.
   void update(const Observation& observation) {
+    if (global_) global_->check_room(local_.low_around(observation.odometry.pose), local_.options().size);
     local_.step(observation);
     if (global_) global_->add(local_.low(), local_.options().size, local_.increments());
     robot_ = observation.odometry.pose;

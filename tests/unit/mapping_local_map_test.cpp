@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "base/random.hpp"
-#include "mapping/global_map.hpp"
+#include "mapping/sonar_map.hpp"
 
 namespace meander {
 namespace {
@@ -138,6 +138,66 @@ TEST(LocalMap, ChangedWorldIsLearnedAnewFromTheSameView) {
   int scans = 0;
   while (map.log_odds(map.cell({1, 1})) > 0 && scans < 50) map.step(seen_from({})), ++scans;
   EXPECT_LE(scans, 3);
+}
+
+TEST(LocalMap, ViewThatChangesItsMindTakesBackOnlyWhatItHadSaid) {
+  float told = 5;  // over the limit
+  const SonarModel changing{.name = "changing",
+                            .ring = nomad().sonar,
+                            .reach = 10,
+                            .evaluate = [&told](const SonarSweep&, const CellPlaces&, std::span<float> out) {
+                              std::fill(out.begin(), out.end(), told);
+                            }};
+  SonarMap map(nomad(), changing);
+  const Cell place{2, 3};
+  const Pose2 around[] = {{-0.9, 0, 0}, {0, -0.9, 0}, {0.9, 0, 1}};
+  for (const Pose2& at : around) map.update(seen_from(at));
+  EXPECT_NEAR(map.local().log_odds(place), map.local().limit(), 0.01);
+  told = -5;
+  for (int scan = 0; scan < 30; ++scan) map.update(seen_from(around[2]));
+  EXPECT_NEAR(map.local().log_odds(place), map.local().limit(), 0.01) << "two against one";
+  EXPECT_NEAR(map.global()->log_odds(place), map.local().log_odds(place), 1e-5);
+  for (int scan = 0; scan < 30; ++scan) map.update(seen_from(around[1]));
+  EXPECT_NEAR(map.local().log_odds(place), -map.local().limit(), 0.1) << "one against two";
+  EXPECT_NEAR(map.global()->log_odds(place), map.local().log_odds(place), 1e-5);
+}
+
+TEST(SonarMap, RefusedScanLeavesBothMapsAsTheyWere) {
+  bool fails = false;
+  SonarModel model = wavy();
+  model.evaluate = [&fails, evaluate = model.evaluate](const SonarSweep& sweep, const CellPlaces& cells,
+                                                       std::span<float> out) {
+    if (fails) fail("no");
+    evaluate(sweep, cells, out);
+  };
+  SonarMap map(nomad(), model);
+  map.update(seen_from({1, 2, 0}, 1));
+  const Cell low = map.local().low();
+  const std::vector<float> local = map.local().log_odds().cells(), global = map.global()->log_odds().cells();
+  Observation few = seen_from({4, 2, 0});
+  few.readings.sonar.pop_back();
+  EXPECT_THROW(map.update(few), ArgumentError);
+  EXPECT_THROW(map.update(seen_from({1e300, 0, 0})), ArgumentError);
+  fails = true;
+  EXPECT_THROW(map.update(seen_from({4, 2, 0})), ArgumentError);
+  EXPECT_EQ(map.local().low().x, low.x);
+  EXPECT_EQ(map.local().log_odds().cells(), local);
+  EXPECT_EQ(map.global()->log_odds().cells(), global);
+  EXPECT_EQ(map.scans(), 1);
+}
+
+TEST(GlobalMap, FullOneTakesNothingMore) {
+  GlobalMap map(0.05, 4);
+  const std::vector<float> one{1};
+  const auto tile = [](std::size_t i) { return Cell{128 * static_cast<int>(i), 0}; };
+  for (std::size_t i = 0; i + 1 < GlobalMap::kMostTiles; ++i) map.add(tile(i), 1, one);
+  const std::size_t before = map.bytes();
+  const std::vector<float> four{1, 1, 1, 1};
+  EXPECT_THROW(map.add({-1, -1}, 2, four), Error) << "four tiles, of which one is there";
+  EXPECT_EQ(map.bytes(), before);
+  EXPECT_EQ(map.log_odds(Cell{0, 0}), 1);
+  map.add({-1, 0}, 1, one);
+  EXPECT_THROW(map.check_room({-1, -1}, 1), Error);
 }
 
 TEST(LocalMap, TurningCostsNothing) {
