@@ -26,6 +26,7 @@ local options = require "meander.arguments" {
   { "--turn-drift SHARE", default = 0.0, least = 0, most = 0.9, help = "and turns" },
   { "--jitter SHARE", default = 0.0, least = 0, most = 1, help = "standard deviation of the control period" },
   { "--delay CYCLES", default = 0, least = 0, most = 1000, help = "commands take effect so much later" },
+  { "--time-limit S", default = 0.0, least = 0, most = 100000, help = "simulated seconds; 0: the scene's own limit" },
   { "--list", help = "tells the names of the scenes" },
   { "--json", help = "one JSON object per scene and navigator instead of text" },
   { "--jobs N", default = 0, least = 0, most = 1024, help = "worker processes; 0: one per core" },
@@ -49,7 +50,7 @@ local function trials_of(name, navigator)
   end
   return trials.over(name, function() return navigator_of(navigator, "nomad200") end, which, {
     sonar = options.sonar, drift = options.drift, turn_drift = options.turn_drift, jitter = options.jitter,
-    delay = options.delay,
+    delay = options.delay, time_limit = options.time_limit > 0 and options.time_limit or nil,
   })
 end
 

@@ -22,7 +22,7 @@ end
 
 --- Figures of one run; nothing but `passed_over`, the reason, where the seed has no such scene. `setting`: `sonar`,
 --- one of trials.sonars; `drift` and `turn_drift`, shares of ways and turns; `jitter` of the control period, a share;
---- `delay` of commands, in cycles; `hand_over` instead of the scene's own [m]; `picture`, a file to save.
+--- `delay` of commands, in cycles; `hand_over` [m] and `time_limit` [s] instead of the scene's own; `picture`, a file to save.
 function trials.drive(name, navigator, seed, setting)
   local scene, why = scenes.make(name, seed)
   if not scene then return { passed_over = why } end
@@ -33,7 +33,7 @@ function trials.drive(name, navigator, seed, setting)
   }
   local run = sim:drive {
     navigator = navigator, subgoals = scene.subgoals, hand_over = setting.hand_over or scene.hand_over,
-    when_trapped = "insist", time_limit = scene.time_limit, record_every = setting.picture and 1 or 0,
+    when_trapped = "insist", time_limit = setting.time_limit or scene.time_limit, record_every = setting.picture and 1 or 0,
   }
   if setting.picture then run:save(setting.picture) end
   return {
