@@ -14,6 +14,7 @@ local options = require "meander.arguments" {
   { "--fusion NAME", default = "viewbin", values = { "viewbin", "bayes" }, help = "how scans are fused" },
   { "--strict", help = "refuse a file with records that cannot be right" },
   { "--range-max METRES", default = 6.477, least = 0.1, most = 1000, help = "a reading from here on is no echo" },
+  { "--span-max METRES", default = 200.0, above = 0, help = "poses farther apart are a mistake: the map would be too large" },
   { "--json", help = "one JSON object instead of text" },
   { "--out DIR", default = "out", help = "folder for picture and map" },
   { "FILE ...", rest = true, help = "the log, at most one" },
@@ -41,7 +42,23 @@ robot.sonar = log.ring or { count = log.sonars }
 local map = report.try(report.usage_error, path, meander.mapping.map, {
   model = options.model, preset = options.preset, fusion = options.fusion, range_max = options.range_max, robot = robot,
 })
--- A pose far off makes a map too large to be kept or drawn.
+-- How far apart the poses lie along x and y [m].
+local function span()
+  local low, high = { x = math.huge, y = math.huge }, { x = -math.huge, y = -math.huge }
+  for i = 1, #log do
+    local at = log[i].pose
+    for _, axis in ipairs { "x", "y" } do
+      low[axis], high[axis] = math.min(low[axis], at[axis]), math.max(high[axis], at[axis])
+    end
+  end
+  return high.x - low.x, high.y - low.y
+end
+local wide, deep = span()
+if math.max(wide, deep) > options.span_max then
+  report.failure(("%s: poses within %g m expected (--span-max), they span %.6g x %.6g m"):format(
+    path, options.span_max, wide, deep))
+end
+
 report.try(report.failure, path, function()
   for i = 1, #log do map:update(log[i]) end
 end)
