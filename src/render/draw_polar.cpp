@@ -34,8 +34,8 @@ class PolarPainter {
       for (const MemoryPoint& point : polar_.memory().scan(age))
         if (inside(point.position)) dot(point.position, 0.35, faded(colors_.wall, 110));
     for (const MappedPoint& point : polar_.points()) dot(frame_ * point.position, 0.55, colors_.contact);
-    ray();
     way();
+    ray();
     robot(look);
     goals();
     key();
