@@ -64,6 +64,18 @@ describe("a sensor model", function()
     expect((pcall(bad.evaluate, bad, ranges, { { 1, 0 }, { 2, 0 } }))):equals(false)
   end)
 
+  it("ships networks that tell what they are and how to make them again", function()
+    local names = meander.mapping.models()
+    expect(#names):equals(7)
+    for _, name in ipairs(names) do
+      if name:find "^nn" then
+        local network = meander.mapping.network("models/" .. name .. "_real.txt")
+        expect(network.layers[#network.layers]):equals(1)
+        expect(network.made_by:find("--network " .. name, 1, true) ~= nil):equals(true)
+      end
+    end
+  end)
+
   it("makes maps, by name, as an object, as a network", function()
     local sim = meander.sim.new { world = rooms.make(3).world, start = rooms.make(3):place(), sonar = "ideal" }
     local function occupied(model)
