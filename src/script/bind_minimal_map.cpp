@@ -52,13 +52,22 @@ std::shared_ptr<MinimalMap> make(const MinimalTable& table) {
   return std::make_shared<MinimalMap>(table.options, map.options().net, map.options().scales, map.whiskers(),
                                       map.lights());
 }
-void step(MinimalMap& minimal, const TopologicMap& map) {
-  if (map.whiskers() != minimal.touch().metric().touch() || map.lights() != minimal.light().metric().light())
-    fail("a map of the same robot expected");
+void check_same_robot(const MinimalMap& minimal, const TopologicMap& map) {
+  const int touch = minimal.touch().metric().touch(), light = minimal.light().metric().light();
+  if (map.whiskers() != touch || map.lights() != light)
+    fail("a map of the same robot expected, {} whiskers and {} light sensors; got one of {} and {}", touch, light,
+         map.whiskers(), map.lights());
+}
+void check_situation(const MinimalMap& minimal, const TopologicMap& map) {
+  check_same_robot(minimal, map);
   if (map.samples() == 0) fail("the map has not taken in any sample yet");
+}
+void step(MinimalMap& minimal, const TopologicMap& map) {
+  check_situation(minimal, map);
   for (int k = 0; k < map.options().presentations; ++k) minimal.present(map.situation(), map.samples());
 }
 MinimalSizes sizes(const MinimalMap& minimal, const TopologicMap& map) {
+  check_same_robot(minimal, map);
   return {minimal.geometry().cells().size(),
           minimal.light().cells().size(),
           minimal.touch().cells().size(),
@@ -68,6 +77,7 @@ MinimalSizes sizes(const MinimalMap& minimal, const TopologicMap& map) {
 }
 std::optional<Vec2> recognise(const MinimalMap& minimal, const TopologicMap& map, const std::optional<bool>& quantise,
                               const std::optional<bool>& senses_alone) {
+  check_situation(minimal, map);
   const topology::Situation now = map.situation();
   topology::Scales scales = map.options().scales;
   if (senses_alone.value_or(false)) scales.position = kAnywhere;
@@ -108,16 +118,18 @@ void bind_minimal_map(lua_State* L) {
                           .text = "How large the nets are, and how many bytes they take.",
                           .args = {{"map", "the whole map to compare with"}},
                           .returns = "{geometry, light, touch, bytes, bytes_of_map, bytes_quantised}",
-                          .errors = "more than 254 lights or touches",
+                          .errors = "a map of another robot; more than 254 lights or touches",
                           .example = EXAMPLE_MINIMAL "print(k:sizes(m).bytes)"})
-      .method<&recognise>(Doc{.name = "recognise",
-                              .text = "Where the model takes the map's situation of now to be.",
-                              .args = {{"map", "the map that localises it"},
-                                       {"quantised", "with one byte a value"},
-                                       {"senses_alone", "by touch and light, wherever the robot believes to be"}},
-                              .returns = "the position of that place, or nil in an empty model",
-                              .errors = "more than 254 lights or touches, when quantised",
-                              .example = EXAMPLE_MINIMAL "print(k:recognise(m, true).x)"})
+      .method<&recognise>(
+          Doc{.name = "recognise",
+              .text = "Where the model takes the map's situation of now to be.",
+              .args = {{"map", "the map that localises it"},
+                       {"quantised", "with one byte a value"},
+                       {"senses_alone", "by touch and light, wherever the robot believes to be"}},
+              .returns = "the position of that place, or nil in an empty model",
+              .errors = "a map of another robot, or one without samples; more than 254 lights or touches, when "
+                        "quantised",
+              .example = EXAMPLE_MINIMAL "print(k:recognise(m, true).x)"})
       .method<&save_c>(Doc{.name = "save_c",
                            .text = "Writes the model with one byte a value as a C header, for micro-controllers.",
                            .args = {{"path", "the file"}, {"name", "what its arrays begin with"}},

@@ -103,5 +103,20 @@ TEST_F(TopologyScript, OtherRobotsAreRefused) {
             "error: test:1: meander.topology.map: unknown option 'correlation.");
 }
 
+TEST_F(TopologyScript, AMinimalModelRefusesMapsOfOtherRobots) {
+  const std::string fault = ": a map of the same robot expected, 24 whiskers and 24 light sensors; got one of 8 and 6";
+  EXPECT_EQ(run("k = meander.topology.minimal { map = m } k:step(m)\n"
+                "robot = { preset = 'alice', whisker = { count = 8 }, light = { count = 6 } }\n"
+                "w = meander.sim.new { world = s.world, robot = robot }\n"
+                "other = meander.topology.map { robot = robot } other:step(w.observation) return other.samples"),
+            "1");
+  EXPECT_EQ(run("k:step(other)"), "error: test:1: minimal_map:step" + fault);
+  EXPECT_EQ(run("k:sizes(other)"), "error: test:1: minimal_map:sizes" + fault);
+  EXPECT_EQ(run("k:recognise(other)"), "error: test:1: minimal_map:recognise" + fault);
+  EXPECT_EQ(run("k:recognise(other, true)"), "error: test:1: minimal_map:recognise" + fault);
+  EXPECT_EQ(run("k:recognise(meander.topology.map {})"),
+            "error: test:1: minimal_map:recognise: the map has not taken in any sample yet");
+}
+
 }  // namespace
 }  // namespace meander::script
