@@ -32,6 +32,7 @@ TopologicMap::TopologicMap(const TopologicMapOptions& options, const SenseSuite&
 }
 
 void TopologicMap::step(const Observation& observation) {
+  check_rings(observation.readings);
   if (!learning_) net_.break_off();
   if (!learning_) learnt_from_ = samples_;
   learning_ = true;
@@ -42,6 +43,7 @@ void TopologicMap::step(const Observation& observation) {
 }
 
 void TopologicMap::follow(const Observation& observation) {
+  check_rings(observation.readings);
   learning_ = false;
   localise(observation);
   ++samples_;
@@ -65,10 +67,13 @@ void TopologicMap::dead_reckon(const Pose2& odometry) {
   odometry_ = odometry;
 }
 
-void TopologicMap::sense(const Readings& readings) {
+void TopologicMap::check_rings(const Readings& readings) const {
   if (readings.whisker.size() != touch_.size() || readings.light.size() != light_.size())
     fail("topologic map for {} whiskers and {} light sensors: got {} and {}", touch_.size(), light_.size(),
          readings.whisker.size(), readings.light.size());
+}
+
+void TopologicMap::sense(const Readings& readings) {
   smoother_.smooth(readings.whisker, touch_);
   for (std::size_t i = 0; i < light_.size(); ++i) light_[i] = static_cast<float>(readings.light[i]);
 }

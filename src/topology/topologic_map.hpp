@@ -55,9 +55,9 @@ class TopologicMap {
   /// has neither.
   TopologicMap(const TopologicMapOptions& options, const SenseSuite& suite);
 
-  /// One sample. Throws ArgumentError when its rings have other sizes.
+  /// One sample. Throws ArgumentError when its rings have other sizes; the map then stays as it was.
   void step(const Observation& observation);
-  /// One sample that is not learnt: the robot only stays localised and links are judged.
+  /// One sample that is not learnt: the robot only stays localised and links are judged. Throws as step does.
   void follow(const Observation& observation);
   /// The believed position is wrong by this much [m].
   void shift(const Vec2& by);
@@ -89,6 +89,7 @@ class TopologicMap {
     Vec2 position;
     std::vector<float> senses;
   };
+  void check_rings(const Readings& readings) const;
   void localise(const Observation& observation);
   void dead_reckon(const Pose2& odometry);
   void sense(const Readings& readings);

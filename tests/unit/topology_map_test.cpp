@@ -146,6 +146,26 @@ TEST(TopologicMap, RefusesOtherRings) {
   EXPECT_EQ(map.samples(), 0);
 }
 
+TEST(TopologicMap, ASampleThatIsRefusedLeavesItAsItWas) {
+  TopologicMap map = fresh_map();
+  RoundRoom room(9);
+  for (int i = 0; i < 300; ++i) map.step(room.next());
+  const auto refuses_all = [&] {
+    const std::string before = map_text(map);
+    for (const auto& [whiskers, lights] : {std::pair(8, 24), std::pair(24, 0), std::pair(0, 0)}) {
+      Observation seen = room.next();
+      seen.readings.whisker.resize(static_cast<std::size_t>(whiskers));
+      seen.readings.light.resize(static_cast<std::size_t>(lights));
+      EXPECT_THROW(map.step(seen), ArgumentError);
+      EXPECT_THROW(map.follow(seen), ArgumentError);
+      EXPECT_EQ(map_text(map), before);
+    }
+  };
+  refuses_all();
+  for (int i = 0; i < 50; ++i) map.follow(room.next());
+  refuses_all();  // step would break off and learn again
+}
+
 TEST(MapText, BrokenTextsAreRefusedInOneLine) {
   TopologicMap map = fresh_map();
   RoundRoom room(5);
