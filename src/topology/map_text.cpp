@@ -14,7 +14,7 @@ namespace meander::topology {
 namespace {
 
 constexpr const char* kTitle = "meander topologic map";
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 constexpr int kMostCells = 10'000'000;
 constexpr std::size_t kMostSenses = 100'000'000;  ///< of all cells: 400 MB
 constexpr std::int64_t kMostSamples = std::int64_t{1} << 53;
@@ -178,12 +178,35 @@ struct MapState {
     pose("odometry", map.odometry_);
     pose("pose", map.pose_);
     NetState::write(out, map.net_);
+    write_last(out, map);
     for (std::int64_t s = first_waiting(map); s < map.samples_; ++s) {
       const auto& waiting = const_cast<TopologicMap&>(map).waiting(s);
       fmt::format_to(out, "waiting {} {}", waiting.position.x(), waiting.position.y());
       for (const float value : waiting.senses) fmt::format_to(out, " {}", static_cast<double>(value));
       fmt::format_to(out, "\n");
     }
+  }
+
+  /// What is sensed now, and what the net and the correlation said of it last: scripts ask for it between samples.
+  static void write_last(Out& out, const TopologicMap& map) {
+    fmt::format_to(out, "now");
+    for (const float value : map.now_) fmt::format_to(out, " {}", static_cast<double>(value));
+    const Recognition& r = map.recognition_;
+    const Correction& c = map.correction_;
+    fmt::format_to(out, "\nsaid {} {} {} {} {} {} {} {}\n", r.sample, r.cell, r.distance, c.shift.x(), c.shift.y(),
+                   c.turn, c.cell, c.distance);
+  }
+
+  static void read_last(TextLines& lines, TopologicMap& map) {
+    if (!lines.next() || !lines.is("now")) lines.wrong("'now SENSES...' expected");
+    lines.count(1 + map.now_.size(), "now SENSES...");
+    for (std::size_t k = 0; k < map.now_.size(); ++k) map.now_[k] = static_cast<float>(lines.number(1 + k));
+    if (!lines.next() || !lines.is("said")) lines.wrong("'said ...' expected");
+    lines.count(9, "said SAMPLE CELL DISTANCE SHIFT_X SHIFT_Y TURN CELL DISTANCE");
+    const int last = map.net_.cells().slots() - 1;
+    map.recognition_ = {lines.integer<std::int64_t>(1, -1, kMostSamples), lines.integer(2, -1, last), lines.number(3)};
+    map.correction_ = {
+        {lines.number(4), lines.number(5)}, lines.number(6), lines.integer(7, -1, last), lines.number(8)};
   }
 
   static std::int64_t first_waiting(const TopologicMap& map) {
@@ -201,6 +224,7 @@ struct MapState {
     map.pose_ = pose(lines, "pose");
     if (!lines.next() || !lines.is("net")) lines.wrong("'net WINNER RATE NEIGHBOUR_RATE MISSES' expected");
     NetState::read(lines, map.net_);
+    read_last(lines, map);
     for (std::int64_t s = first_waiting(map); s < map.samples_; ++s) {
       auto& waiting = map.waiting(s);
       if (!lines.next() || !lines.is("waiting")) lines.wrong("{} more situations that wait expected", map.samples_ - s);

@@ -166,6 +166,26 @@ TEST(TopologicMap, ASampleThatIsRefusedLeavesItAsItWas) {
   refuses_all();  // step would break off and learn again
 }
 
+TEST(MapText, TellsOfNowAsTheMapThatWasWritten) {
+  TopologicMap map = fresh_map();
+  RoundRoom room(10);
+  for (int i = 0; i < 1200; ++i) {
+    map.step(room.next());
+    if (i % 100 != 99) continue;
+    const TopologicMap again = read_map_text(map_text(map), "test");
+    EXPECT_EQ(most_alike(again.net(), again.situation().senses), most_alike(map.net(), map.situation().senses));
+    for (int k = 0; k < map.net().metric().stride(); ++k)
+      EXPECT_EQ(again.situation().senses[k], map.situation().senses[k]);
+    EXPECT_EQ(again.recognition().sample, map.recognition().sample);
+    EXPECT_EQ(again.recognition().cell, map.recognition().cell);
+    EXPECT_EQ(again.recognition().distance, map.recognition().distance);
+    EXPECT_EQ(again.correction().cell, map.correction().cell);
+    EXPECT_EQ(again.correction().shift, map.correction().shift);
+    EXPECT_EQ(again.correction().turn, map.correction().turn);
+    EXPECT_EQ(again.correction().distance, map.correction().distance);
+  }
+}
+
 TEST(MapText, BrokenTextsAreRefusedInOneLine) {
   TopologicMap map = fresh_map();
   RoundRoom room(5);
