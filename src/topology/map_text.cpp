@@ -207,6 +207,8 @@ struct MapState {
     map.recognition_ = {lines.integer<std::int64_t>(1, -1, kMostSamples), lines.integer(2, -1, last), lines.number(3)};
     map.correction_ = {
         {lines.number(4), lines.number(5)}, lines.number(6), lines.integer(7, -1, last), lines.number(8)};
+    const int told = map.correction_.cell;
+    if (told >= 0 && !map.net_.cells().alive(told)) lines.wrong("cell {} is not in the map", told);
   }
 
   static std::int64_t first_waiting(const TopologicMap& map) {

@@ -27,11 +27,14 @@ constexpr double kLikeGrowth = 0.03;                ///< per point
 class RouteGuide {
  public:
   RouteGuide(std::shared_ptr<TopologicMap> map, int goal, const RouteGuideOptions& options)
-      : map_(std::move(map)), goal_(goal), options_(options), trail_(kTrail, kSpacing, map_->net().metric().stride()) {
+      : RouteGuide(std::move(map), goal, 0, options) {
     validate(options);
     if (!cells().alive(goal)) fail("route: cell {} is not in the map", goal);
     serial_ = cells()[goal].serial;
   }
+
+  /// A new run to the same cell, which may be gone by then.
+  void reset() { *this = RouteGuide(map_, goal_, serial_, options_); }
 
   GuideStep next(const Observation& seen) {
     options_.learn ? map_->step(seen) : map_->follow(seen);
@@ -52,6 +55,13 @@ class RouteGuide {
   }
 
  private:
+  RouteGuide(std::shared_ptr<TopologicMap> map, int goal, std::uint64_t serial, const RouteGuideOptions& options)
+      : map_(std::move(map)),
+        goal_(goal),
+        options_(options),
+        serial_(serial),
+        trail_(kTrail, kSpacing, map_->net().metric().stride()) {}
+
   const CellPool& cells() const { return map_->net().cells(); }
   Vec2 here() const { return map_->pose().position(); }
   double distance_to(int cell) const { return (cells()[cell].position - here()).norm(); }
@@ -123,12 +133,18 @@ class RouteGuide {
     stray_until_ = since_ = samples_ + kStray;
     if (stuck_ % 3 == 0) return recover();
     if (next_ == 0) return true;
-    Link link = *cells().find(way_[next_ - 1], way_[next_]);
-    if (!link.suspended) given_up_.emplace_back(way_[next_ - 1], way_[next_]);
+    give_up(way_[next_ - 1], way_[next_]);
+    return plan() || recover();
+  }
+
+  /// A link of the way; where it was passed while learning it may be gone.
+  void give_up(int from, int to) {
+    if (!cells().alive(from) || !cells().find(from, to)) return;
+    Link link = *cells().find(from, to);
+    if (!link.suspended) given_up_.emplace_back(from, to);
     link.suspended = true;
     link.doubt = std::max(link.doubt, map_->options().doubt.suspend);
-    map_->net().cells().connect(way_[next_ - 1], way_[next_], link);
-    return plan() || recover();
+    map_->net().cells().connect(from, to, link);
   }
 
   /// Do the senses tell the goal, or a place beside it or none while they are like the goal's? The longer it has
@@ -169,7 +185,7 @@ class RouteGuide {
   std::shared_ptr<TopologicMap> map_;
   int goal_;
   RouteGuideOptions options_;
-  std::uint64_t serial_ = 0;
+  std::uint64_t serial_;
   std::vector<int> way_;
   std::size_t next_ = 0;
   bool suspended_accepted_ = false;  ///< there is no way without a suspended link
@@ -189,7 +205,7 @@ class RouteGuide {
 Guide route_guide(const std::shared_ptr<TopologicMap>& map, int goal, const RouteGuideOptions& options) {
   const auto guide = std::make_shared<RouteGuide>(map, goal, options);
   return {"route", [guide](const Observation& seen, const NavigatorStep&) { return guide->next(seen); },
-          [guide, map, goal, options] { *guide = RouteGuide(map, goal, options); }, 1};
+          [guide] { guide->reset(); }, 1};
 }
 
 }  // namespace meander::topology

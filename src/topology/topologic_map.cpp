@@ -38,7 +38,9 @@ void TopologicMap::step(const Observation& observation) {
   learning_ = true;
   localise(observation);
   remember();  // the learning set of [Z] section 3-2
-  learn();     // [Z] sections 3-2 and 3-3
+  const std::uint64_t told = serial_of(correction_.cell);
+  learn();                                                         // [Z] sections 3-2 and 3-3
+  if (serial_of(correction_.cell) != told) correction_.cell = -1;  // learning removed it
   ++samples_;
 }
 

@@ -76,7 +76,7 @@ class TopologicMap {
   Pose2 map_from_odometry() const { return pose_ * inverse(odometry_); }
   /// Of the last presentation.
   const Recognition& recognition() const { return recognition_; }
-  /// What the correlation said last.
+  /// What the correlation said last; its cell is in the map.
   const Correction& correction() const { return correction_; }
   /// What is sensed now, in the frame of the map.
   Situation situation() const { return {pose_.position(), now_.data()}; }
@@ -96,6 +96,7 @@ class TopologicMap {
   void correlate();
   void remember();
   void learn();
+  std::uint64_t serial_of(int cell) const { return cell < 0 ? 0 : net_.cells()[cell].serial; }
   Waiting& waiting(std::int64_t sample) {
     return queue_[static_cast<std::size_t>(sample % static_cast<std::int64_t>(queue_.size()))];
   }

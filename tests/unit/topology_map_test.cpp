@@ -10,6 +10,7 @@
 #include "topology/map_text.hpp"
 #include "topology/minimal_map.hpp"
 #include "topology/route.hpp"
+#include "topology/route_guide.hpp"
 #include "topology/trail.hpp"
 
 namespace meander {
@@ -295,6 +296,52 @@ TEST(Trail, FindsTheStretchOfWayInTheMap) {
   const auto place = trail.find(map.net(), 0.35);
   ASSERT_TRUE(place);
   EXPECT_LT((place->position - map.pose().position()).norm(), 0.5);
+}
+
+TEST(RouteGuide, ResetItStillMeansTheCellOfItsMaking) {
+  const auto map = std::make_shared<TopologicMap>(fresh_map());
+  RoundRoom room(11);
+  for (int i = 0; i < 2000; ++i) map->step(room.next());
+  GrowingNet& net = map->net();
+  const int goal = map->recognition().cell;
+  Guide guide = route_guide(map, goal);
+  guide.reset();
+  EXPECT_TRUE(guide.next(room.next(), {}).subgoal);
+  const std::vector<float> senses(net.cells().senses(goal), net.cells().senses(goal) + net.cells().stride());
+  net.remove(goal);
+  ASSERT_EQ(net.insert({{0, 0}, senses.data()}, map->samples(), -1), goal);  // the number stands for another
+  for (int run = 0; run < 2; ++run) {
+    const GuideStep step = guide.next(room.next(), {});
+    EXPECT_FALSE(step.subgoal);
+    EXPECT_EQ(step.reason, "the goal's cell is gone");
+    guide.reset();
+  }
+}
+
+TEST(RouteGuide, LinksThatGoWhileItIsStuckDoNoHarm) {
+  // A map that learns and forgets fast under a robot that hardly moves: links and cells of the way go at any time.
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    TopologicMapOptions options;
+    options.net.fade = 0.9;
+    const auto map = std::make_shared<TopologicMap>(options, SenseSuite{});
+    RoundRoom room(20 + seed);
+    for (int i = 0; i < 1500; ++i) map->step(room.next());
+    Stream stream(seed, "goals");
+    for (int drive = 0; drive < 5; ++drive) {
+      const int goal = stream.below(map->net().cells().slots());
+      if (!map->net().cells().alive(goal)) continue;
+      RouteGuideOptions drive_options;
+      drive_options.near = 2;
+      drive_options.progress = 5;
+      drive_options.patience = 2;
+      drive_options.learn = true;
+      Guide guide = route_guide(map, goal, drive_options);
+      for (int i = 0; i < 100 && guide.next(room.next(), {}).subgoal; ++i) {
+        const int told = map->correction().cell;
+        EXPECT_TRUE(told < 0 || map->net().cells().alive(told));
+      }
+    }
+  }
 }
 
 TEST(MinimalMap, PlacesShareFewTouchesAndLights) {
