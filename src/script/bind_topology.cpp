@@ -165,9 +165,19 @@ void bind_learning(Type<TopologicMap>& type) {
               .args = {{"observation", "what the robot senses"}},
               .errors = "other numbers of whiskers or light sensors",
               .example = EXAMPLE_TOPOLOGY "m:follow(s.observation) print(m.pose)"})
+      .method<&TopologicMap::begin>(
+          Doc{.name = "begin",
+              .text = "A new run begins, of another simulation or another day: no link to the last place, and odometry "
+                      "that begins anew.",
+              .args = {{"pose", "where the robot is now, in the frame of the map; where it was last", "m, rad"}},
+              .errors = "a number beyond 1e6",
+              .example = EXAMPLE_TOPOLOGY "m:begin {2, 1, 0} print(m.pose, m.winner)"})
       .method<&TopologicMap::shift>(Doc{.name = "shift",
-                                        .text = "Moves where the robot believes to be.",
+                                        .text =
+                                            "Moves where the robot believes to be. What comes next is not linked to "
+                                            "what was.",
                                         .args = {{"by", "how far", "m"}},
+                                        .errors = "a number beyond 1e6",
                                         .example = EXAMPLE_TOPOLOGY "m:shift {0.1, 0} print(m.pose)"})
       .method<&set_link>(
           Doc{.name = "suspend",

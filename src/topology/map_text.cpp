@@ -177,6 +177,7 @@ struct MapState {
     fmt::format_to(out, "samples {} {} {}\n", map.samples_, map.learnt_from_, map.learning_ ? 1 : 0);
     pose("odometry", map.odometry_);
     pose("pose", map.pose_);
+    if (map.begins_) fmt::format_to(out, "begins\n");
     NetState::write(out, map.net_);
     write_last(out, map);
     for (std::int64_t s = first_waiting(map); s < map.samples_; ++s) {
@@ -224,7 +225,10 @@ struct MapState {
     map.learning_ = lines.integer(3, 0, 1) == 1;
     map.odometry_ = pose(lines, "odometry");
     map.pose_ = pose(lines, "pose");
-    if (!lines.next() || !lines.is("net")) lines.wrong("'net WINNER RATE NEIGHBOUR_RATE MISSES' expected");
+    lines.next();
+    map.begins_ = lines.is("begins");
+    if (map.begins_) lines.next();
+    if (!lines.is("net")) lines.wrong("'net WINNER RATE NEIGHBOUR_RATE MISSES' expected");
     NetState::read(lines, map.net_);
     read_last(lines, map);
     for (std::int64_t s = first_waiting(map); s < map.samples_; ++s) {

@@ -3,6 +3,7 @@
 #include "topology/topologic_map.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
 
@@ -12,6 +13,12 @@ namespace {
 const TopologicMapOptions& checked(const TopologicMapOptions& options) {
   validate(options);
   return options;
+}
+
+constexpr double kFarthest = 1e6;  ///< [m] and [rad]
+
+void check_near(double number) {
+  if (!(std::abs(number) <= kFarthest)) fail("a number from -1e6 to 1e6 expected, got {}", number);
 }
 
 }  // namespace
@@ -33,8 +40,7 @@ TopologicMap::TopologicMap(const TopologicMapOptions& options, const SenseSuite&
 
 void TopologicMap::step(const Observation& observation) {
   check_rings(observation.readings);
-  if (!learning_) net_.break_off();
-  if (!learning_) learnt_from_ = samples_;
+  if (!learning_) break_off();
   learning_ = true;
   localise(observation);
   remember();  // the learning set of [Z] section 3-2
@@ -59,13 +65,31 @@ void TopologicMap::localise(const Observation& observation) {
   doubt_.judge(net_, pose_, observation.readings.whisker, samples_);
 }
 
+void TopologicMap::break_off() {
+  net_.break_off();
+  learnt_from_ = samples_;
+}
+
+void TopologicMap::begin(const std::optional<Pose2>& pose) {
+  if (pose)
+    for (const double number : {pose->x, pose->y, pose->heading}) check_near(number);
+  break_off();
+  recognition_ = {};
+  correction_ = {};
+  if (pose) pose_ = {pose->x, pose->y, wrap_angle(pose->heading)};
+  begins_ = pose || samples_ > 0;  // the first sample of all says itself where it is
+}
+
 void TopologicMap::shift(const Vec2& by) {
+  for (const double number : {by.x(), by.y()}) check_near(number);
+  break_off();
   pose_.x += by.x();
   pose_.y += by.y();
 }
 
 void TopologicMap::dead_reckon(const Pose2& odometry) {
-  pose_ = samples_ == 0 ? odometry : pose_ * (inverse(odometry_) * odometry);
+  if (!begins_) pose_ = samples_ == 0 ? odometry : pose_ * (inverse(odometry_) * odometry);
+  begins_ = false;
   odometry_ = odometry;
 }
 

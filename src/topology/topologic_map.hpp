@@ -59,7 +59,11 @@ class TopologicMap {
   void step(const Observation& observation);
   /// One sample that is not learnt: the robot only stays localised and links are judged. Throws as step does.
   void follow(const Observation& observation);
-  /// The believed position is wrong by this much [m].
+  /// A new run begins: what comes next does not follow from the last sample, and its odometry begins anew. `pose`:
+  /// where the robot is now, in the map's frame; without it where it was last. Throws ArgumentError for what is
+  /// nowhere.
+  void begin(const std::optional<Pose2>& pose = {});
+  /// The believed position is wrong by this much [m]; so are those of the samples that wait, which are not learnt.
   void shift(const Vec2& by);
 
   const TopologicMapOptions& options() const { return options_; }
@@ -89,6 +93,7 @@ class TopologicMap {
     Vec2 position;
     std::vector<float> senses;
   };
+  void break_off();
   void check_rings(const Readings& readings) const;
   void localise(const Observation& observation);
   void dead_reckon(const Pose2& odometry);
@@ -114,6 +119,7 @@ class TopologicMap {
   std::int64_t samples_ = 0;
   std::int64_t learnt_from_ = 0;  ///< samples before this are not shown any more
   bool learning_ = true;
+  bool begins_ = false;  ///< the next sample is the first of a run: its odometry says nothing of the last
   Pose2 odometry_, pose_;
   Recognition recognition_;
   Correction correction_;

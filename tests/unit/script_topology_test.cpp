@@ -109,6 +109,22 @@ TEST_F(TopologyScript, OtherRobotsAreRefused) {
             "error: test:1: meander.topology.map: unknown option 'correlation.");
 }
 
+TEST_F(TopologyScript, OneMapOverTwoRuns) {
+  EXPECT_EQ(
+      run("m:begin {40, 30, 0}\n"
+          "local t = meander.sim.new { world = s.world, robot = 'alice', drift = 'alice', seed = 6 }\n"
+          "t:drive { navigator = meander.topology.whiskers {}, guide = meander.topology.wander { map = m, samples "
+          "= 300 }, time_limit = 1e4 }\n"
+          "local far, at = 0, {}\n"
+          "for _, p in ipairs(m.places) do at[p.number] = p.position far = far + (p.position.x > 20 and 1 or 0) "
+          "end\n"
+          "for _, l in ipairs(m.links) do assert((at[l.a].x > 20) == (at[l.b].x > 20)) end\n"
+          "return far > 10"),
+      "true");
+  EXPECT_EQ(run("m:shift {2e6, 0}"),
+            "error: test:1: topologic_map:shift: a number from -1e6 to 1e6 expected, got 2000000");
+}
+
 TEST_F(TopologyScript, AMinimalModelRefusesMapsOfOtherRobots) {
   const std::string fault = ": a map of the same robot expected, 24 whiskers and 24 light sensors; got one of 8 and 6";
   EXPECT_EQ(run("k = meander.topology.minimal { map = m } k:step(m)\n"

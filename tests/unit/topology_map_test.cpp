@@ -6,11 +6,10 @@
 
 #include "base/error.hpp"
 #include "base/random.hpp"
-#include "geometry/angle.hpp"
+#include "round_room.hpp"
 #include "topology/map_text.hpp"
 #include "topology/minimal_map.hpp"
 #include "topology/route.hpp"
-#include "topology/route_guide.hpp"
 #include "topology/trail.hpp"
 
 namespace meander {
@@ -19,46 +18,6 @@ std::size_t allocations();  // allocation_counter.cpp
 
 namespace meander::topology {
 namespace {
-
-/// A robot in a round room of radius 3 m with two lamps: whiskers touch the wall, lights see the lamps. Its odometry is
-/// right.
-class RoundRoom {
- public:
-  explicit RoundRoom(std::uint64_t seed) : stream_(seed, "walk") {
-    seen_.readings.whisker.resize(24);
-    seen_.readings.light.resize(24);
-    seen_.period = 0.2;
-  }
-  const Observation& next() {
-    heading_ += stream_.normal(0, 0.2);
-    const Vec2 at = seen_.odometry.pose.position();
-    if (at.norm() > 2.7) heading_ = angle_of(-at.y(), -at.x()) + stream_.uniform(-1, 1);
-    const SinCos t = sin_cos(wrap_angle(heading_));
-    seen_.odometry.pose.x += 0.05 * t.cos;
-    seen_.odometry.pose.y += 0.05 * t.sin;
-    seen_.time += 0.2;
-    for (int i = 0; i < 24; ++i) {
-      const SinCos whisker = sin_cos(i * kPi / 12);
-      const Vec2 tip = seen_.odometry.pose.position() + 0.3 * Vec2(whisker.cos, whisker.sin);
-      seen_.readings.whisker[static_cast<std::size_t>(i)] = stream_.chance(tip.norm() > 2.9 ? 0.98 : 0.01);
-      double light = 0;
-      for (const Vec2& lamp : {Vec2(0, 0), Vec2(2, 1.5)}) {
-        const Vec2 way = lamp - seen_.odometry.pose.position();
-        const SinCos off = sin_cos(angle_of(way.y(), way.x()) - i * kPi / 12);
-        light += std::max(0.0, off.cos) / (1 + 0.3 * way.squaredNorm());
-      }
-      seen_.readings.light[static_cast<std::size_t>(i)] = light;
-    }
-    return seen_;
-  }
-
- private:
-  Stream stream_;
-  Observation seen_;
-  double heading_ = 0;
-};
-
-TopologicMap fresh_map() { return {TopologicMapOptions{}, SenseSuite{}}; }
 
 TEST(TopologicMap, CoversTheRoomAndStaysLocalised) {
   TopologicMap map = fresh_map();
@@ -145,46 +104,6 @@ TEST(TopologicMap, RefusesOtherRings) {
   seen.readings.whisker.resize(8);
   EXPECT_THROW(map.step(seen), ArgumentError);
   EXPECT_EQ(map.samples(), 0);
-}
-
-TEST(TopologicMap, ASampleThatIsRefusedLeavesItAsItWas) {
-  TopologicMap map = fresh_map();
-  RoundRoom room(9);
-  for (int i = 0; i < 300; ++i) map.step(room.next());
-  const auto refuses_all = [&] {
-    const std::string before = map_text(map);
-    for (const auto& [whiskers, lights] : {std::pair(8, 24), std::pair(24, 0), std::pair(0, 0)}) {
-      Observation seen = room.next();
-      seen.readings.whisker.resize(static_cast<std::size_t>(whiskers));
-      seen.readings.light.resize(static_cast<std::size_t>(lights));
-      EXPECT_THROW(map.step(seen), ArgumentError);
-      EXPECT_THROW(map.follow(seen), ArgumentError);
-      EXPECT_EQ(map_text(map), before);
-    }
-  };
-  refuses_all();
-  for (int i = 0; i < 50; ++i) map.follow(room.next());
-  refuses_all();  // step would break off and learn again
-}
-
-TEST(MapText, TellsOfNowAsTheMapThatWasWritten) {
-  TopologicMap map = fresh_map();
-  RoundRoom room(10);
-  for (int i = 0; i < 1200; ++i) {
-    map.step(room.next());
-    if (i % 100 != 99) continue;
-    const TopologicMap again = read_map_text(map_text(map), "test");
-    EXPECT_EQ(most_alike(again.net(), again.situation().senses), most_alike(map.net(), map.situation().senses));
-    for (int k = 0; k < map.net().metric().stride(); ++k)
-      EXPECT_EQ(again.situation().senses[k], map.situation().senses[k]);
-    EXPECT_EQ(again.recognition().sample, map.recognition().sample);
-    EXPECT_EQ(again.recognition().cell, map.recognition().cell);
-    EXPECT_EQ(again.recognition().distance, map.recognition().distance);
-    EXPECT_EQ(again.correction().cell, map.correction().cell);
-    EXPECT_EQ(again.correction().shift, map.correction().shift);
-    EXPECT_EQ(again.correction().turn, map.correction().turn);
-    EXPECT_EQ(again.correction().distance, map.correction().distance);
-  }
 }
 
 TEST(MapText, BrokenTextsAreRefusedInOneLine) {
@@ -296,52 +215,6 @@ TEST(Trail, FindsTheStretchOfWayInTheMap) {
   const auto place = trail.find(map.net(), 0.35);
   ASSERT_TRUE(place);
   EXPECT_LT((place->position - map.pose().position()).norm(), 0.5);
-}
-
-TEST(RouteGuide, ResetItStillMeansTheCellOfItsMaking) {
-  const auto map = std::make_shared<TopologicMap>(fresh_map());
-  RoundRoom room(11);
-  for (int i = 0; i < 2000; ++i) map->step(room.next());
-  GrowingNet& net = map->net();
-  const int goal = map->recognition().cell;
-  Guide guide = route_guide(map, goal);
-  guide.reset();
-  EXPECT_TRUE(guide.next(room.next(), {}).subgoal);
-  const std::vector<float> senses(net.cells().senses(goal), net.cells().senses(goal) + net.cells().stride());
-  net.remove(goal);
-  ASSERT_EQ(net.insert({{0, 0}, senses.data()}, map->samples(), -1), goal);  // the number stands for another
-  for (int run = 0; run < 2; ++run) {
-    const GuideStep step = guide.next(room.next(), {});
-    EXPECT_FALSE(step.subgoal);
-    EXPECT_EQ(step.reason, "the goal's cell is gone");
-    guide.reset();
-  }
-}
-
-TEST(RouteGuide, LinksThatGoWhileItIsStuckDoNoHarm) {
-  // A map that learns and forgets fast under a robot that hardly moves: links and cells of the way go at any time.
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    TopologicMapOptions options;
-    options.net.fade = 0.9;
-    const auto map = std::make_shared<TopologicMap>(options, SenseSuite{});
-    RoundRoom room(20 + seed);
-    for (int i = 0; i < 1500; ++i) map->step(room.next());
-    Stream stream(seed, "goals");
-    for (int drive = 0; drive < 5; ++drive) {
-      const int goal = stream.below(map->net().cells().slots());
-      if (!map->net().cells().alive(goal)) continue;
-      RouteGuideOptions drive_options;
-      drive_options.near = 2;
-      drive_options.progress = 5;
-      drive_options.patience = 2;
-      drive_options.learn = true;
-      Guide guide = route_guide(map, goal, drive_options);
-      for (int i = 0; i < 100 && guide.next(room.next(), {}).subgoal; ++i) {
-        const int told = map->correction().cell;
-        EXPECT_TRUE(told < 0 || map->net().cells().alive(told));
-      }
-    }
-  }
 }
 
 TEST(MinimalMap, PlacesShareFewTouchesAndLights) {
