@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
+#include <algorithm>
+#include <cctype>
+
 #include "base/atomic_file.hpp"
 #include "base/text_file.hpp"
 #include "render/draw_topology.hpp"
@@ -73,10 +76,7 @@ namespace {
 using Map = std::shared_ptr<TopologicMap>;
 
 Map make(const TopologicMapTable& table) {
-  const Platform& robot = table.robot.value;
-  if (robot.whisker.count == 0) fail("option 'robot': '{}' has no whiskers; a robot like 'alice' expected", robot.name);
-  return std::make_shared<TopologicMap>(table.map, topology::SenseSuite{robot.whisker.count, robot.light.count,
-                                                                        robot.whisker.radius, table.whisker_reach});
+  return std::make_shared<TopologicMap>(table.map, topology::sense_suite(table.robot.value, table.whisker_reach));
 }
 constexpr std::size_t kMostBytes = std::size_t{1} << 32;
 Map open(const InputFile& file) {
@@ -84,10 +84,11 @@ Map open(const InputFile& file) {
 }
 
 void save(const TopologicMap& map, const OutputFile& file) {
-  const std::string& path = file.path;
-  write_file_atomically(path, path.ends_with(".dot")       ? topology::to_dot(map.net().cells())
-                              : path.ends_with(".graphml") ? topology::to_graphml(map.net().cells())
-                                                           : topology::map_text(map));
+  std::string suffix = file.path.substr(std::min(file.path.find_last_of('.'), file.path.size()));
+  for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  write_file_atomically(file.path, suffix == ".dot"       ? topology::to_dot(map.net().cells())
+                                   : suffix == ".graphml" ? topology::to_graphml(map.net().cells())
+                                                          : topology::map_text(map));
 }
 std::string source(const TopologicMap& map) { return topology::map_text(map); }
 Map copy(const TopologicMap& map) { return std::make_shared<TopologicMap>(map); }
@@ -246,12 +247,13 @@ void bind_looking(Type<TopologicMap>& type) {
 
 void bind_topology(lua_State* L) {
   Module(L, "meander.topology", "Qualitative topologic maps: places and links from whiskers and light.")
-      .function<&make>(Doc{.name = "map",
-                           .text = "A new, empty topologic map.",
-                           .args = {{"options", "the robot, and how the map learns"}},
-                           .returns = "the map",
-                           .errors = "a robot without whiskers; a number out of range",
-                           .example = "print(meander.topology.map { net = { insert_distance = 1.2 } })"})
+      .function<&make>(
+          Doc{.name = "map",
+              .text = "A new, empty topologic map.",
+              .args = {{"options", "the robot, and how the map learns"}},
+              .returns = "the map",
+              .errors = "a robot without whiskers, or whose rings do not begin ahead; a number out of range",
+              .example = "print(meander.topology.map { net = { insert_distance = 1.2 } })"})
       .function<&open>(Doc{.name = "open",
                            .text = "Reads a map that map:save wrote; it goes on exactly as the other would.",
                            .args = {{"path", "the file"}},

@@ -70,7 +70,7 @@ void bind_topology_drive(lua_State* L) {
               .text = "A navigator for omnidirectional robots: straight on, and along what the whiskers touch.",
               .args = {{"options", "the robot, and when it slides or gives up"}},
               .returns = "the navigator",
-              .errors = "a robot without whiskers, or one that cannot go sideways",
+              .errors = "a robot without whiskers or whose first is not ahead; one that cannot go sideways",
               .example = "print(meander.topology.whiskers {}.name)"})
       .function<&wander>(Doc{
           .name = "wander",

@@ -15,6 +15,17 @@ const TopologicMapOptions& checked(const TopologicMapOptions& options) {
   return options;
 }
 
+const SenseSuite& checked(const SenseSuite& suite) {
+  if (suite.whiskers < 1 || suite.lights < 0)
+    fail("topologic map: a robot with whiskers expected, got {} and {} light sensors", suite.whiskers, suite.lights);
+  return suite;
+}
+
+void check_ahead(const Platform& robot, const char* name, const RingLayout& ring) {
+  if (ring.count > 0 && ring.first != 0)
+    fail("robot '{}': {}.first = 0 expected, the first one ahead; got {}", robot.name, name, ring.first);
+}
+
 constexpr double kFarthest = 1e6;  ///< [m] and [rad]
 
 void check_near(double number) {
@@ -23,9 +34,20 @@ void check_near(double number) {
 
 }  // namespace
 
+void check_whiskers(const Platform& robot) {
+  if (robot.whisker.count < 1) fail("robot '{}' has no whiskers; one like 'alice' expected", robot.name);
+  check_ahead(robot, "whisker", robot.whisker);
+}
+
+SenseSuite sense_suite(const Platform& robot, double whisker_reach) {
+  check_whiskers(robot);
+  check_ahead(robot, "light", robot.light);
+  return {robot.whisker.count, robot.light.count, robot.whisker.radius, whisker_reach};
+}
+
 TopologicMap::TopologicMap(const TopologicMapOptions& options, const SenseSuite& suite)
     : options_(checked(options)),
-      suite_(suite),
+      suite_(checked(suite)),
       metric_(suite.whiskers, suite.lights, options.scales),
       smoother_(suite.whiskers, options.touch_smoothing),
       net_(options.net, metric_, options.scales.position),

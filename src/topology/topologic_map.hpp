@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "robot/observation.hpp"
+#include "robot/platform.hpp"
 #include "topology/correlation.hpp"
 #include "topology/link_doubt.hpp"
 
@@ -40,6 +41,12 @@ struct SenseSuite {
   double whisker_reach = 0.15;   ///< beyond it [m]
 };
 
+/// Throws ArgumentError for a robot without whiskers, or whose first one is not ahead: bearings are counted from there.
+void check_whiskers(const Platform& robot);
+/// Of a robot whose whiskers reach so far beyond their roots. Throws ArgumentError as check_whiskers does; for lights
+/// too.
+SenseSuite sense_suite(const Platform& robot, double whisker_reach);
+
 /// What the net made of a sample.
 struct Recognition {
   std::int64_t sample = -1;  ///< the situation that was shown; `delay` samples ago
@@ -51,8 +58,8 @@ struct Recognition {
 /// one to the other, learnt from whiskers, light sensors and bad dead reckoning alone.
 class TopologicMap {
  public:
-  /// For a robot with these whiskers and light sensors. Throws ArgumentError for options out of range, or a robot that
-  /// has neither.
+  /// For a robot with these whiskers and light sensors. Throws ArgumentError for options out of range, or a robot
+  /// without whiskers.
   TopologicMap(const TopologicMapOptions& options, const SenseSuite& suite);
 
   /// One sample. Throws ArgumentError when its rings have other sizes; the map then stays as it was.

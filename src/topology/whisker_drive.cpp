@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "base/error.hpp"
+#include "topology/topologic_map.hpp"
 
 namespace meander::topology {
 namespace {
@@ -76,7 +77,7 @@ class WhiskerDrive {
   WhiskerDrive(const Platform& platform, const WhiskerDriveOptions& options)
       : options_(options), speed_(platform.body.v_max), contacts_(platform.whisker.count) {
     validate(options);
-    if (platform.whisker.count == 0) fail("navigator 'whiskers': robot '{}' has no whiskers", platform.name);
+    check_whiskers(platform);
     if (platform.body.drive != DriveKind::omnidirectional)
       fail("navigator 'whiskers': robot '{}' is not omnidirectional", platform.name);
   }

@@ -101,12 +101,30 @@ TEST_F(TopologyScript, DrawsAndExports) {
 
 TEST_F(TopologyScript, OtherRobotsAreRefused) {
   EXPECT_EQ(run("meander.topology.map { robot = 'scout' }"),
-            "error: test:1: meander.topology.map: option 'robot': 'scout' has no whiskers; a robot like 'alice' "
-            "expected");
+            "error: test:1: meander.topology.map: robot 'scout' has no whiskers; one like 'alice' expected");
   EXPECT_EQ(run("local t = meander.sim.new { world = s.world } m:step(t.observation)"),
             "error: test:1: topologic_map:step: topologic map for 24 whiskers and 24 light sensors: got 0 and 0");
   EXPECT_EQ(run("meander.topology.map { correlation = { gian = 1 } }").substr(0, 65),
             "error: test:1: meander.topology.map: unknown option 'correlation.");
+}
+
+TEST_F(TopologyScript, RingsThatDoNotBeginAheadAreRefused) {
+  const std::string whiskers = ": robot 'alice': whisker.first = 0 expected, the first one ahead; got 0.1";
+  EXPECT_EQ(run("meander.topology.map { robot = { preset = 'alice', whisker = { first = 0.1 } } }"),
+            "error: test:1: meander.topology.map" + whiskers);
+  EXPECT_EQ(run("meander.topology.whiskers { robot = { preset = 'alice', whisker = { first = 0.1 } } }"),
+            "error: test:1: meander.topology.whiskers" + whiskers);
+  EXPECT_EQ(
+      run("meander.topology.map { robot = { preset = 'alice', light = { first = -1 } } }"),
+      "error: test:1: meander.topology.map: robot 'alice': light.first = 0 expected, the first one ahead; got -1");
+}
+
+TEST_F(TopologyScript, PlacesAndReachesThatAreNone) {
+  EXPECT_EQ(run("m:way(math.mininteger, 1)").substr(0, 36), "error: test:1: topologic_map:way: ar");
+  EXPECT_EQ(run("m:way(-2147483648, 1)"), "error: test:1: topologic_map:way: place -2147483648 is not in the map");
+  EXPECT_EQ(run("m:way(0, 1)"), "error: test:1: topologic_map:way: place 0 is not in the map");
+  EXPECT_EQ(run("meander.topology.map { correlation = { reach = 0 } }").substr(0, 15), "error: test:1: ");
+  EXPECT_EQ(run("m:save(folder .. 'map.DOT') return io.open(folder .. 'map.DOT'):read 'l'"), "graph places {");
 }
 
 TEST_F(TopologyScript, OneMapOverTwoRuns) {

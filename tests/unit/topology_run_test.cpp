@@ -107,6 +107,13 @@ TEST(MapText, TellsOfNowAsTheMapThatWasWritten) {
   }
 }
 
+TEST(TopologicMap, RefusesRobotsWithoutWhiskers) {
+  EXPECT_THROW(TopologicMap({}, SenseSuite{.whiskers = 0}), ArgumentError);
+  EXPECT_THROW(TopologicMap({}, SenseSuite{.whiskers = -1}), ArgumentError);
+  EXPECT_THROW(TopologicMap({}, SenseSuite{.lights = -1}), ArgumentError);
+  EXPECT_NO_THROW(TopologicMap({}, SenseSuite{.lights = 0}));
+}
+
 TEST(RouteGuide, ResetItStillMeansTheCellOfItsMaking) {
   const auto map = std::make_shared<TopologicMap>(fresh_map());
   RoundRoom room(11);
