@@ -29,7 +29,7 @@ struct ObjectName<topology::MinimalMap> {
 
 /// Scripts count cells from 1.
 inline int cell_of(const topology::TopologicMap& map, int number) {
-  if (!map.net().cells().alive(number - 1)) fail("place {} is not in the map", number);
+  if (number < 1 || !map.net().cells().alive(number - 1)) fail("place {} is not in the map", number);
   return number - 1;
 }
 

@@ -23,7 +23,7 @@ struct CorrelationOptions {
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, CorrelationOptions>
 void fields(Options& o, Visitor&& visit) {
-  visit(Field{"reach", "m", "cells within this of the believed place are compared", 0, 100}, o.reach);
+  visit(Field{"reach", "m", "cells within this of the believed place are compared", 1e-3, 100}, o.reach);
   visit(Field{"age", "", "samples that a cell must be old", 0, 1e9}, o.age);
   visit(Field{"accept", "", "largest distance of the best cell that counts", 0, 100}, o.accept);
   visit(Field{"turn_step", "rad", "headings are tried at multiples of this", 1e-4, 1}, o.turn_step);

@@ -10,7 +10,7 @@
 namespace meander::topology {
 
 /// The minimal model with one byte per value, for micro-controllers ([Z] section 5): places on a grid of 255 x 255 over
-/// the map, senses and weights in 255 steps. At most 255 lights and 255 touches; number 255 stands for none.
+/// the map, senses and weights in 255 steps. At most 254 lights and 254 touches; number 255 stands for none.
 struct QuantisedMap {
   int touch = 0, light = 0;                   ///< sizes of the rings
   Vec2 low{0, 0};                             ///< of byte 0 [m]
@@ -27,7 +27,7 @@ struct QuantisedMap {
   }
 };
 
-/// Throws ArgumentError for more than 255 lights or touches, or 65536 places.
+/// Throws ArgumentError for more than 254 lights or touches, or 65536 places.
 QuantisedMap quantised(const MinimalMap& map);
 
 /// A C header with the arrays and how to read them; `name` is a C identifier, or ArgumentError.
