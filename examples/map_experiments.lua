@@ -88,8 +88,8 @@ end
 local function rounded(value) return candidates.rounded(value, 4) end
 
 local function row(trials, experiment, preset, fusion, model)
-  local line = { experiment = experiment, preset = preset, model = model, fusion = fusion, rooms = #trials }
-  local keys = { "experiment", "preset", "model", "fusion", "rooms" }
+  local line = { experiment = experiment, preset = preset, model = model, fusion = fusion, n = #trials }
+  local keys = { "experiment", "preset", "model", "fusion", "n" }
   local function put(key, value)
     line[key] = value
     keys[#keys + 1] = key
@@ -123,7 +123,7 @@ local function say(line)
   for _, name in ipairs(figure_names[line.experiment]) do
     if line[name] then
       text = text .. (" %s %.4g (%.4g, %.4g)"):format(name, line[name], line[name .. "_low"], line[name .. "_high"])
-      if line[name .. "_n"] < line.rooms then text = text .. " in " .. line[name .. "_n"] .. " of " .. line.rooms end
+      if line[name .. "_n"] < line.n then text = text .. " in " .. line[name .. "_n"] .. " of " .. line.n end
     end
   end
   if line.difference then

@@ -123,13 +123,14 @@ void bind_module(lua_State* L) {
 void bind_plan(lua_State* L) {
   bind_module(L);
   Type<Plan>(L, "A path, and the landscape that it was found on.")
-      .method<&from>(Doc{.name = "from",
-                         .text = "A path on the same landscape from another start, or read off in another way.",
-                         .args = {{"start", "where from", "m"}, {"path", "how; as before when left out"}},
-                         .returns = "the plan; or nil and why there is no path",
-                         .returns_type = "plan or nil, string or nil",
-                         .errors = "a plan of a search, which has no landscape",
-                         .example = EXAMPLE_PLAN "print(p:from({1, 3}, 'steepest'))"})
+      .method<&from>(
+          Doc{.name = "from",
+              .text = "A path on the same landscape from another start, or read off in another way.",
+              .args = {{"start", "where from", "m"}, {"kind", "how it is read off; as before when left out"}},
+              .returns = "the plan; or nil and why there is no path",
+              .returns_type = "plan or nil, string or nil",
+              .errors = "a plan of a search, which has no landscape",
+              .example = EXAMPLE_PLAN "print(p:from({1, 3}, 'steepest'))"})
       .method<&value>(Doc{.name = "value",
                           .text =
                               "The landscape at a point: ln v of a neural map, minus the cost that is left [cells], "

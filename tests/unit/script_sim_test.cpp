@@ -170,18 +170,19 @@ TEST_F(SimScript, MessagesOfTheCommonMistakes) {
   for (const std::string& name : navigator_names()) navigators += (navigators.empty() ? "'" : ", '") + name + "'";
   const std::pair<const char*, std::string> cases[] = {
       {"meander.sim.new { world = w, sede = 3 }",
-       "1: meander.sim.new: unknown option 'sede'; did you mean 'seed'? (known: world, robot, sonar, drift, start, "
+       "1: meander.sim.new: unknown option 'sede'; did you mean 'seed'? (known: world, robot, sonar, drift, whisker, "
+       "light, start, "
        "robots, seed, period, period_jitter, command_delay)"},
       {"meander.sim.new {}", "1: meander.sim.new: option 'world': missing, world expected"},
       {"meander.sim.new { world = 'office' }",
        "1: meander.sim.new: option 'world': world expected, got string \"office\""},
       {"new { robot = 'nomad' }",
-       "8: meander.sim.new: option 'robot': unknown value 'nomad', one of 'nomad200', 'scout'; did "
+       "8: meander.sim.new: option 'robot': unknown value 'nomad', one of 'nomad200', 'scout', 'alice'; did "
        "you mean 'nomad200'?"},
       {"new { seed = -1 }", "8: meander.sim.new: option 'seed': an integer from 0 on expected, got -1"},
       {"new { drift = { veeer = 1 } }",
        "8: meander.sim.new: unknown option 'drift.veeer'; did you mean 'veer'? (known: distance_bias, turn_bias, veer, "
-       "distance_noise, turn_noise, veer_noise)"},
+       "distance_noise, turn_noise, veer_noise, slip, slip_spread, slip_length, preset)"},
       {"new { sonar = { preset = 'nomad', noise = -1 } }",
        "8: meander.sim.new: option 'sonar.noise': a number from 0 to 10 [m] expected, got -1"},
       {"new { robot = { body = { radius = 'big' } } }",

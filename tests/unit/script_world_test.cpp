@@ -121,7 +121,7 @@ TEST_F(WorldScript, MessagesOfTheCommonMistakes) {
       {"w:remove 'crate' w:move(crate, {1, 0})", "test:1: world:move: obstacle 'crate' was removed"},
       {"meander.world.opne 'none.toml'",
        "test:1: meander.world: has no member 'opne'; did you mean 'open'? (known: new, open, from_toml, import, "
-       "generate)"},
+       "generate, labyrinth)"},
       {"w.tilte = 3", "test:1: world: has no property to set called 'tilte'; did you mean 'title'?"},
       {"w.move = 3", "test:1: world: 'move' cannot be set"},
       {"w.title = 3", "test:1: world.title: cannot be set"},
