@@ -14,15 +14,20 @@ local options = require "meander.arguments" {
   { "--world NAMES", default = "alice_loop", help = "alice_loop, alice_rooms, with commas, or all" },
   { "--change NAMES", default = "removed", help = "removed, added, none, with commas, or all" },
   { "--forgetting NAMES", default = "doubt", help = "doubt (contacts suspend links), none, oracle, with commas, or all" },
-  { "--samples N", default = 5000, help = "to gather" },
-  { "--after N", default = 3500, help = "samples until the wall comes or goes" },
-  { "--goals N", default = 20, help = "drives per seed at the end; 0: none" },
-  { "--seeds N", default = 1, help = "runs" },
-  { "--first-seed S", default = 2000, help = "their seeds begin here; 1 to 999 are for tuning" },
-  { "--jobs N", default = 0, help = "worker processes; 0: one per core" },
+  { "--samples N", default = 5000, least = 100, most = 1000000, help = "to gather" },
+  { "--after N", default = 3500, least = 0, help = "samples until the wall comes or goes" },
+  { "--goals N", default = 20, least = 0, most = 1000, help = "drives per seed at the end; 0: none" },
+  { "--seeds N", default = 1, least = 1, most = 100000, help = "runs" },
+  { "--first-seed S", default = 2000, least = 0, help = "their seeds begin here; 1 to 999 are for tuning" },
+  { "--jobs N", default = 0, least = 0, most = 1024, help = "worker processes; 0: one per core" },
   { "--json", help = "one JSON object per line instead of text" },
   { "--out DIR", default = "out", help = "folder for pictures before and after; none when empty" },
 }
+local most_after = math.min(options.samples, alice.first_moment(options)) - 1
+if options.after > most_after then
+  local goals = options.goals > 0 and (" and --goals %d, that the drives come after it"):format(options.goals) or ""
+  report.usage_error(("--after: at most %d expected with --samples %d%s; got %d"):format(most_after, options.samples, goals, options.after))
+end
 local figures = {
   "gap_closed_after", "first_passage", "links_through_wall_left", "washed_out", "suspended_elsewhere", "contact_samples",
   "success", "false_arrivals",
@@ -78,10 +83,7 @@ local function trial(name, change, forgetting, seed)
       end
     end
     before = here
-    local left = options.samples - sample
-    if options.goals > 0 and left < 1000 and left % math.max(1, 1000 // options.goals) == 0 and #moments < options.goals then
-      moments[#moments + 1] = { sim = robot.sim:fork(), map = robot.map:copy() }
-    end
+    alice.keep_moment(moments, options, sample, robot)
   end
   local robot = alice.explore {
     world = name, seed = seed, samples = options.samples, each = each,
@@ -114,9 +116,7 @@ local function trial(name, change, forgetting, seed)
     if forgetting == "oracle" and change == "added" then
       for _, link in ipairs(through_gate(start, gate)) do moment.map:suspend(link.a, link.b) end
     end
-    local goal
-    repeat goal = moment.map.places[math.random(#moment.map)].number until robot.scores:true_place(moment.map, goal)
-    local there, wrong = alice.go(start, goal)
+    local there, wrong = alice.go(start, alice.goal(start))
     arrived, wrongly = arrived + (there and 1 or 0), wrongly + (wrong and 1 or 0)
   end
   if #moments > 0 then result.success, result.false_arrivals = arrived / #moments, wrongly / #moments end

@@ -11,12 +11,12 @@ local report = require "meander.report"
 local options = require "meander.arguments" {
   about = "explores with a topologic map",
   { "--world NAMES", default = "alice_loop", help = "alice_loop, alice_rooms, alice_grid, with commas, or all" },
-  { "--samples N", default = 5000, help = "to gather; one every 5 cm" },
+  { "--samples N", default = 5000, least = 1, most = 1000000, help = "to gather; one every 5 cm" },
   { "--drift NAME", default = "alice", values = { "alice", "none", "good", "poor" }, help = "errors of the odometry" },
   { "--correction WHICH", default = "both", values = { "both", "on", "off" }, help = "correction by the map" },
-  { "--seeds N", default = 1, help = "runs" },
-  { "--first-seed S", default = 2000, help = "their seeds begin here; 1 to 999 are for tuning" },
-  { "--jobs N", default = 0, help = "worker processes; 0: one per core" },
+  { "--seeds N", default = 1, least = 1, most = 100000, help = "runs" },
+  { "--first-seed S", default = 2000, least = 0, help = "their seeds begin here; 1 to 999 are for tuning" },
+  { "--jobs N", default = 0, least = 0, most = 1024, help = "worker processes; 0: one per core" },
   { "--json", help = "one JSON object per line instead of text" },
   { "--out DIR", default = "out", help = "folder for the pictures of the first run; none when empty" },
 }

@@ -12,33 +12,25 @@ local report = require "meander.report"
 local options = require "meander.arguments" {
   about = "drives over the links of a topologic map",
   { "--world NAMES", default = "alice_loop", help = "alice_loop, alice_rooms, alice_grid, with commas, or all" },
-  { "--samples N", default = 5000, help = "explored before" },
-  { "--goals N", default = 20, help = "drives per seed" },
-  { "--seeds N", default = 1, help = "runs" },
-  { "--first-seed S", default = 2000, help = "their seeds begin here; 1 to 999 are for tuning" },
-  { "--jobs N", default = 0, help = "worker processes; 0: one per core" },
+  { "--samples N", default = 5000, least = 100, most = 1000000, help = "explored before" },
+  { "--goals N", default = 20, least = 1, most = 1000, help = "drives per seed" },
+  { "--seeds N", default = 1, least = 1, most = 100000, help = "runs" },
+  { "--first-seed S", default = 2000, least = 0, help = "their seeds begin here; 1 to 999 are for tuning" },
+  { "--jobs N", default = 0, least = 0, most = 1024, help = "worker processes; 0: one per core" },
   { "--json", help = "one JSON object per line instead of text" },
   { "--out DIR", default = "out", help = "folder for the picture of the first drive; none when empty" },
 }
-if options.goals < 1 then report.usage_error("--goals: at least 1 expected, got " .. options.goals) end
 
 local function trial(name, seed)
   local moments = {}
   local robot = alice.explore {
     world = name, seed = seed, samples = options.samples,
-    each = function(sample, now)
-      local left = options.samples - sample
-      if left < 1000 and left % math.max(1, 1000 // options.goals) == 0 and #moments < options.goals then
-        moments[#moments + 1] = { sim = now.sim:fork(), map = now.map:copy() }
-      end
-    end,
+    each = function(sample, now) alice.keep_moment(moments, options, sample, now) end,
   }
   local success, false_arrivals, reasons = 0, 0, {}
   for k, moment in ipairs(moments) do
     local start = { sim = moment.sim, map = moment.map, scores = robot.scores }
-    local places, goal = moment.map.places, nil
-    repeat goal = places[math.random(#places)].number until robot.scores:true_place(moment.map, goal)
-    local arrived, wrongly, reason, run = alice.go(start, goal)
+    local arrived, wrongly, reason, run = alice.go(start, alice.goal(start))
     success = success + (arrived and 1 or 0)
     false_arrivals = false_arrivals + (wrongly and 1 or 0)
     if not arrived then reasons[#reasons + 1] = wrongly and "wrong place" or reason end

@@ -32,6 +32,36 @@ function alice.explore(options)
   return robot
 end
 
+local kLast = 1000 -- drives begin at moments of so many last samples of an exploration
+
+local function between(options) return math.max(1, kLast // options.goals) end
+
+--- The first sample at which a drive begins: one past the last where there are none.
+function alice.first_moment(options)
+  if options.goals == 0 then return options.samples + 1 end
+  local left = math.min(kLast, options.samples) - 1
+  return options.samples - left // between(options) * between(options)
+end
+
+--- Keeps this moment of the robot, {sim, map}, if it is one of the `goals` at which drives begin.
+function alice.keep_moment(moments, options, sample, robot)
+  if #moments >= options.goals or sample < alice.first_moment(options) then return end
+  if (options.samples - sample) % between(options) == 0 then
+    moments[#moments + 1] = { sim = robot.sim:fork(), map = robot.map:copy() }
+  end
+end
+
+--- A place of the robot's map chosen by chance, of those whose true place is known.
+function alice.goal(robot)
+  local places = robot.map.places
+  local known = false
+  for _, place in ipairs(places) do known = known or robot.scores:true_place(robot.map, place.number) ~= nil end
+  if not known then error("no place of the map has a true place yet; more --samples expected", 0) end
+  local goal
+  repeat goal = places[math.random(#places)].number until robot.scores:true_place(robot.map, goal)
+  return goal
+end
+
 --- Sends a copy of the robot to a place of its map. Independent of all other drives. Returns whether it arrived, whether
 --- it wrongly believed so, and the reason.
 function alice.go(robot, place, options)
@@ -49,8 +79,6 @@ end
 
 --- Runs trial(seed) for all seeds of the command line; their values in order.
 function alice.trials(options, trial)
-  if options.seeds < 1 then report.usage_error("--seeds: at least 1 expected, got " .. options.seeds) end
-  if options.first_seed < 0 then report.usage_error("--first-seed: at least 0 expected, got " .. options.first_seed) end
   local seeds, values = {}, {}
   for i = 1, options.seeds do seeds[i] = options.first_seed + i - 1 end
   for _, result in ipairs(meander.study.trials { seeds = seeds, jobs = options.jobs, trial = trial }) do
