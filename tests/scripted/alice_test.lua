@@ -54,4 +54,16 @@ describe("ALICE", function()
     expect(file:read "a":find("static const uint8_t corridor_places", 1, true) ~= nil):is_true()
     os.remove(path)
   end)
+
+  it("chooses goals of known places, and moments of the last samples", function()
+    local studies = require "meander.alice"
+    local robot = { map = { places = { { number = 3 }, { number = 7 } } }, scores = {} }
+    function robot.scores:true_place(_, number) return number == 7 and { x = 0, y = 0 } or nil end
+    for _ = 1, 10 do expect(studies.goal(robot)):equals(7) end
+    function robot.scores:true_place() return nil end
+    expect(function() studies.goal(robot) end):throws "no place of the map has a true place"
+    expect(studies.first_moment { samples = 5000, goals = 20 }):equals(4050)
+    expect(studies.first_moment { samples = 100, goals = 20 }):equals(50)
+    expect(studies.first_moment { samples = 100, goals = 0 }):equals(101)
+  end)
 end)
