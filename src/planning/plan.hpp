@@ -16,7 +16,7 @@ struct Plan {
   PlanningResult result{};
   PlannedPath path{};       ///< [cells]
   PathMeasures measures{};  ///< [cells]
-  bool clear = false;     ///< the whole path keeps the robot's body clear of all that is solid, for certain
+  bool clear = false;       ///< the whole path keeps the robot's body clear of all that is solid, for certain
 
   /// Why there is no path; empty where there is one, and where no start was given.
   const std::string& reason() const { return result.reason.empty() ? path.reason : result.reason; }

@@ -45,10 +45,11 @@ class SandboxTest : public ::testing::Test {
 
 const char* const kObjects = R"(
   local w = meander.world.new { start = {1, 1, 0} }
-  w:add_disc({3, 3}, 0.5)
   local s = meander.sim.new { world = w }
   local grid = meander.planning.map { world = w, resolution = 0.5 }
-  local lessons = meander.mapping.lessons { worlds = { w }, poses = 5 }
+  local room = meander.world.new { bounds = { {0, 0}, {4, 4} } }
+  room:add_wall { points = { {0.5, 0.5}, {3.5, 0.5}, {3.5, 3.5}, {0.5, 3.5} } }
+  local lessons = meander.mapping.lessons { worlds = { room }, poses = 20 }
   local places = meander.topology.map {}
   o = { world = w, sim = s, reading = meander.sensor.scan { world = w }, grid_map = grid,
     run = s:drive { navigator = function() return 0.3, 0 end, subgoals = { {2, 1} } },

@@ -17,7 +17,10 @@ Sim room() {
   auto world = std::make_shared<World>(header);
   world->add(Obstacle{.name = {}, .shape = Polygon{{{4, 2}, {4.2, 2}, {4.2, 4}, {4, 4}}, {}}, .surface = {}});
   world->add(Obstacle{.name = {}, .shape = Disc{{4.4, 3}, 0.1}, .surface = {}});
-  return Sim(world, {RobotOptions{.platform = platform("nomad200"), .sonar = {}, .drift = {}, .start = {}}}, {});
+  return Sim(world,
+             {RobotOptions{
+                 .platform = platform("nomad200"), .sonar = {}, .drift = {}, .whisker = {}, .light = {}, .start = {}}},
+             {});
 }
 
 const GridFrame kWindow{0.05, {1.5, 1.5, 0}};
@@ -95,8 +98,11 @@ TEST(MapScore, OneClassAloneHasNoFigures) {
   Header header;
   header.bounds = {{0, 0}, {60, 60}};
   header.start = Pose2{30, 30, 0};
-  const Sim sim(std::make_shared<World>(header),
-                {RobotOptions{.platform = platform("nomad200"), .sonar = {}, .drift = {}, .start = {}}}, {});
+  const Sim sim(
+      std::make_shared<World>(header),
+      {RobotOptions{
+          .platform = platform("nomad200"), .sonar = {}, .drift = {}, .whisker = {}, .light = {}, .start = {}}},
+      {});
   const MapScore score = score_map(Grid<float>(20, 20, 0.2F, {0.05, {30.5, 30, 0}}), sim, 0);
   EXPECT_EQ(score.occupied, 0);
   EXPECT_TRUE(std::isnan(score.ce));
