@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "polar/echo.hpp"
 #include "polar/near_points.hpp"
 #include "polar/steering.hpp"
 #include "robot/kinematics.hpp"
@@ -175,7 +176,7 @@ class DynamicWindow {
 }  // namespace
 
 Navigator dynamic_window(const Platform& platform, const DynamicWindowOptions& options) {
-  validate(platform);
+  need_sonars("dynamic_window", platform);
   validate(options);
   auto window = std::make_shared<DynamicWindow>(platform, options);
   return {.name = "dynamic_window",

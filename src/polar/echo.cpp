@@ -70,6 +70,11 @@ class Reader {
 
 }  // namespace
 
+void need_sonars(const char* navigator, const Platform& platform) {
+  validate(platform);
+  if (platform.sonar.count == 0) fail("navigator '{}' needs sonars; robot '{}' has none", navigator, platform.name);
+}
+
 void read_echoes(const Observation& observation, const Platform& platform, const EchoRule& rule,
                  std::vector<Echo>& echoes) {
   echoes.clear();

@@ -10,6 +10,9 @@
 
 namespace meander {
 
+/// Throws ArgumentError at a platform that this navigator cannot drive: it is no good or has no sonars.
+void need_sonars(const char* navigator, const Platform& platform);
+
 /// What one sonar tells about where something stands, in the robot's present frame.
 struct Echo {
   Vec2 axis{0, 0};               ///< on the axis of the cone

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polar/echo.hpp"
 #include "robot/kinematics.hpp"
 
 namespace meander {
@@ -231,7 +232,7 @@ struct PolarStep {
 }  // namespace
 
 Navigator polar_navigator(const Platform& platform, const PolarOptions& options, PolarParts parts) {
-  validate(platform);
+  need_sonars("polar", platform);
   const auto inside = std::make_shared<PolarNavigator>(platform, options, std::move(parts));
   return {.name = "polar", .step = PolarStep{inside}, .reset = [inside] { inside->reset(); }};
 }

@@ -145,7 +145,7 @@ class PotentialField {
 }  // namespace
 
 Navigator potential_field(const Platform& platform, const PotentialFieldOptions& options) {
-  validate(platform);
+  need_sonars("potential_field", platform);
   validate(options);
   auto field = std::make_shared<PotentialField>(platform, options);
   return {.name = "potential_field",

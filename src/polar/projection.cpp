@@ -50,9 +50,12 @@ void Projection::add(const Vec2& point) {
     first = floor_of((middle - half) / layout_->spacing());
     last = floor_of((middle + half) / layout_->spacing()) + 1;
   } else {
-    first = layout_->nearest_sector(middle - half) - 1;
-    last = layout_->nearest_sector(middle + half) + 1;
-    if (last <= first) last += layout_->sectors();
+    const int from = layout_->nearest_sector(middle - half), to = layout_->nearest_sector(middle + half);
+    int more = layout_->wrapped(to - from);
+    // Into the same sector again, from the other side.
+    if (more == 0 && 2 * half >= 2 * kPi - layout_->width(from)) more = layout_->sectors() - 1;
+    first = from - 1;
+    last = from + more + 1;
   }
   const int count = std::min(last - first + 1, layout_->sectors());
   for (std::size_t k = 0; k < layers_.size(); ++k)

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "polar/boundary_walk.hpp"
+#include "polar/echo.hpp"
 #include "polar/near_points.hpp"
 
 namespace meander {
@@ -152,7 +153,7 @@ class TangentBug {
 }  // namespace
 
 Navigator tangent_bug(const Platform& platform, const TangentBugOptions& options) {
-  validate(platform);
+  need_sonars("tangent_bug", platform);
   validate(options);
   auto bug = std::make_shared<TangentBug>(platform, options);
   return {.name = "tangent_bug",

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "polar/echo.hpp"
 #include "polar/near_points.hpp"
 
 namespace meander {
@@ -180,7 +181,7 @@ class VfhPlus {
 }  // namespace
 
 Navigator vfh_plus(const Platform& platform, const VfhPlusOptions& options) {
-  validate(platform);
+  need_sonars("vfh_plus", platform);
   validate(options);
   auto vfh = std::make_shared<VfhPlus>(platform, options);
   return {.name = "vfh_plus",

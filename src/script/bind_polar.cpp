@@ -62,7 +62,7 @@ struct PolarLook {
   int rings = 0, sectors = 0;
   double target = 0;
   int target_ring = 1;
-  std::vector<double> radii;
+  std::vector<double> radii, bearings;
   Matrix obstructed, activation;
   double residual = 0;
   std::optional<PolarSubgoalView> subgoal;
@@ -82,6 +82,7 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"target", "m", "distance of the target"}, o.target);
   visit(Field{"target_ring", "", "of its unit"}, o.target_ring);
   visit(Field{"radii", "m", "of the rings"}, o.radii);
+  visit(Field{"bearings", "rad", "of the sectors, in the map's frame"}, o.bearings);
   visit(Field{"obstructed", "", "1 where a unit is obstructed, a row per ring"}, o.obstructed);
   visit(Field{"activation", "", "decadic logarithm, a row per ring; -400 where there is none"}, o.activation);
   visit(Field{"residual", "", "how far from the equilibrium: the largest relative error"}, o.residual);
@@ -119,6 +120,7 @@ PolarLook look(const PolarNavigator& polar) {
   look.target = polar.target().x();
   look.target_ring = polar.target_ring() + 1;
   look.radii = polar.layout().radii();
+  look.bearings = sector_bearings(polar.layout());
   look.obstructed = obstructed_units(polar);
   look.activation = log_activation(polar.layout(), polar.solver());
   look.residual = polar.solver().residual(polar.obstructed());

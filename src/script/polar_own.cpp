@@ -2,12 +2,21 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "script/polar_own.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "base/elementary.hpp"
 
 namespace meander::script {
 namespace {
 
 constexpr float kNone = -400;  ///< decades: less than any double
+
+/// The decadic logarithm; of less than the least normal number, that one's.
+float decades(double x) {
+  return static_cast<float>(logarithm(std::max(x, std::numeric_limits<double>::min())) / std::numbers::ln10);
+}
 
 OwnWeights own_weights(const Function& function) {
   return [function](const PolarLayout& layout, int ring) {
@@ -41,7 +50,8 @@ std::optional<PolarSubgoal> read_subgoal(lua_State* L, const Path& path, const P
   if (!ring) return std::nullopt;
   const PolarLayout& layout = state.layout;
   if (!sector || *ring < 1 || *ring > layout.rings() || *sector < 1 || *sector > layout.sectors())
-    fail("{}: ring from 1 to {} and sector from 1 to {} expected", path.text(), layout.rings(), layout.sectors());
+    fail("{}: ring from 1 to {} and sector from 1 to {} expected, got ring {} and {}", path.text(), layout.rings(),
+         layout.sectors(), *ring, sector ? fmt::format("sector {}", *sector) : std::string("no sector"));
   PolarSubgoal subgoal{.sector = *sector - 1, .ring = *ring - 1};
   subgoal.position = layout.position(subgoal.ring, subgoal.sector);
   return subgoal;
@@ -55,6 +65,7 @@ OwnSubgoal own_subgoal(const Function& function) {
                         .target_ring = state.target_ring + 1,
                         .previous = std::nullopt,
                         .radii = state.layout.radii(),
+                        .bearings = sector_bearings(state.layout),
                         .activation = log_activation(state.layout, state.solver)};
     if (state.previous) view.previous = *state.previous + 1;
     return read_subgoal(function.invoke(2, view), function.result_path(), state);
@@ -68,9 +79,15 @@ Matrix log_activation(const PolarLayout& layout, const PolarSolver& solver) {
   for (int ring = 0; ring < layout.rings(); ++ring)
     for (int sector = 0; sector < layout.sectors(); ++sector) {
       const double activation = solver.activation(ring, sector);
-      cells->push_back(activation > 0 ? static_cast<float>(std::log10(activation)) : kNone);
+      cells->push_back(activation > 0 ? decades(activation) : kNone);
     }
   return {std::move(cells), static_cast<std::size_t>(layout.rings()), static_cast<std::size_t>(layout.sectors())};
+}
+
+std::vector<double> sector_bearings(const PolarLayout& layout) {
+  std::vector<double> bearings;
+  for (int sector = 0; sector < layout.sectors(); ++sector) bearings.push_back(layout.bearing(sector));
+  return bearings;
 }
 
 PolarCandidateView candidate_view(const MotionCandidate& c) {

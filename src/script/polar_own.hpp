@@ -73,7 +73,7 @@ struct PolarStateView {
   double target = 0;
   int target_ring = 0;
   std::optional<int> previous;
-  std::vector<double> radii;
+  std::vector<double> radii, bearings;
   Matrix activation;
 };
 template <class Options, class Visitor>
@@ -85,6 +85,7 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"target_ring", "", "ring of the target's unit"}, o.target_ring);
   visit(Field{"previous", "", "sector of the last direction"}, o.previous);
   visit(Field{"radii", "m", "of the rings"}, o.radii);
+  visit(Field{"bearings", "rad", "of the sectors, in the map's frame"}, o.bearings);
   visit(Field{"activation", "", "decadic logarithm, a row per ring; -400 where there is none"}, o.activation);
 }
 
@@ -102,6 +103,8 @@ void fields(Options& o, Visitor&& visit) {
 
 PolarCandidateView candidate_view(const MotionCandidate& candidate);
 PolarParts polar_parts(const PolarOwnTable& own);
+/// In the map's frame [rad].
+std::vector<double> sector_bearings(const PolarLayout& layout);
 /// The activation's logarithms, a row per ring.
 Matrix log_activation(const PolarLayout& layout, const PolarSolver& solver);
 

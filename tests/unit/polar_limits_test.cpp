@@ -4,7 +4,11 @@
 
 #include <cmath>
 
+#include "polar/dynamic_window.hpp"
 #include "polar/polar_navigator.hpp"
+#include "polar/potential_field.hpp"
+#include "polar/tangent_bug.hpp"
+#include "polar/vfh_plus.hpp"
 #include "polar_flatland.hpp"
 
 namespace meander {
@@ -91,6 +95,36 @@ TEST(PolarLimits, OptionsThatContradictEachOtherAreRefused) {
             "option 'map.narrow_margin': at most map.margin = 0.05 m expected, got 0.06");
   EXPECT_EQ(with([](PolarOptions& o) { o.subgoal.read_radius = 3; }),
             "option 'subgoal.read_radius': at most map.scope = 2.54 m expected, got 3");
+}
+
+TEST(PolarLimits, RobotsWithoutSonarsAreRefused) {
+  Platform deaf = platform("nomad200");
+  deaf.name = "deaf";
+  deaf.sonar.count = 0;
+  EXPECT_EQ(complaint({}, deaf), "navigator 'polar' needs sonars; robot 'deaf' has none");
+  EXPECT_THROW(potential_field(deaf), ArgumentError);
+  EXPECT_THROW(vfh_plus(deaf), ArgumentError);
+  EXPECT_THROW(dynamic_window(deaf), ArgumentError);
+  EXPECT_THROW(tangent_bug(deaf), ArgumentError);
+}
+
+TEST(Projection, MarksBothEndsOfAWaySectorPlacedUnevenly) {
+  const PolarLayoutOptions options{.rings = 20, .sectors = 8, .layout = PolarPlacing::self_organising};
+  PolarLayout layout(options);
+  // Seven sectors within half a radian, the rest of the turn between two of them.
+  std::vector<double> bearings;
+  for (int k = 0; k < 8; ++k) bearings.push_back(k < 4 ? 0.07 * k : 2 * kPi - 0.07 * (8 - k));
+  layout.place(layout.radii(), bearings);
+  for (int turn = 0; turn < 64; ++turn) {
+    const SinCos t = sin_cos(2 * kPi * turn / 64);
+    const Vec2 point = 0.6 * Vec2(t.cos, t.sin);
+    Projection projection(layout, {0.599});
+    projection.add(point);
+    for (int sector = 0; sector < 8; ++sector)
+      for (int ring = 1; ring < 19; ++ring)
+        EXPECT_EQ(projection.layer(0).test(ring, sector), (layout.position(ring, sector) - point).norm() <= 0.599)
+            << turn << " " << ring << " " << sector;
+  }
 }
 
 TEST(PointMapper, APointPushedBeyondTheScopeIsLeftOut) {

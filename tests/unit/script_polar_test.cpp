@@ -28,6 +28,7 @@ TEST_F(PolarScript, LooksInside) {
             "true true true true false");
   EXPECT_EQ(run("return l.activation[100][1], l.activation[9]:max() > -60, (l.obstructed:all():max())"),
             "0.0 true 1.0");
+  EXPECT_EQ(run("return #l.bearings, l.bearings[1], math.deg(l.bearings[9])"), "32 0.0 90.0");
   EXPECT_EQ(
       run("return meander.polar.potential_field({}):inspect()"),
       "error: test:1: navigator:inspect: navigator \"potential_field\": only polar navigators can be looked into");
@@ -74,7 +75,7 @@ TEST_F(PolarScript, MistakesAreTold) {
   EXPECT_EQ(run("n = meander.polar.navigator { own = { subgoal = function() return 1000, 2 end } } "
                 "n:step(s.observation, {6, 3})"),
             "error: test:1: navigator:step: option 'own.subgoal': result: ring from 1 to 100 and sector from 1 to 48 "
-            "expected");
+            "expected, got ring 1000 and sector 2");
   EXPECT_EQ(run("meander.polar.navigator { map = { ring = 3 } }").substr(0, 75),
             "error: test:1: meander.polar.navigator: unknown option 'map.ring'; did you ");
 }
