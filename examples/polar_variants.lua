@@ -60,7 +60,7 @@ local list = {
     { options = { map = { weights = "euclidean" } } },
   },
   {
-    "literal", "four_targets,l_corner,clutter_10", "the same, the direction read off at the innermost ring",
+    "literal", "four_targets,l_corner,doors,clutter_10", "the same, the direction read off at the innermost ring",
     { options = { map = { weights = "euclidean" }, subgoal = { read_radius = 0 } } },
   },
 }

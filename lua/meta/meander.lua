@@ -1226,7 +1226,8 @@ function meander.polar.tangent_bug(options) end
 
 ---@class meander.polar.navigator.options.subgoal
 ---@field read_radius? number the direction is that of the most active unit this far from the centre [m]; 0.2 when left out
----@field hysteresis? number another direction wins only if its way is so much shorter [m]; 0.5 when left out
+---@field hysteresis? number another direction wins only if its way is so much shorter; finite volumes only [m]; 0.5 when left out
+---@field hysteresis_ratio? number the same for other weights: only if its activation is so many times higher; 20 when left out
 ---@field hysteresis_sectors? integer directions so few sectors apart are not another direction; 4 when left out
 
 ---@class meander.polar.navigator.options.control

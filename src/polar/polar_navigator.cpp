@@ -11,6 +11,11 @@
 namespace meander {
 namespace {
 
+/// By how much ln v falls per metre of way: only finite volumes tell ways, other weights have no such number.
+double ways_per_metre(const PolarMapOptions& map, const PolarParts& parts) {
+  return map.weights == PolarWeights::finite_volume && !parts.weights ? map.kappa : 0;
+}
+
 constexpr int kFewScans = 2;       ///< of the last resort before turning in place
 constexpr double kFaint = 1e-150;  ///< activation
 constexpr double kLooking = 0.4;   ///< turning rate when there is no way [rad/s]
@@ -59,7 +64,7 @@ PolarNavigator::PolarNavigator(const Platform& platform, const PolarOptions& opt
       organised_(layout_, {platform.body.radius + options_.map.margin}),
       solver_(layout_, weights_of(layout_, options_.map, parts_)),
       arranged_(solver_.weights()),
-      readout_(options_.subgoal, options_.map.kappa),
+      readout_(options_.subgoal, ways_per_metre(options_.map, parts_)),
       control_(platform.body, options_.control, parts_.objective),
       trap_(platform, options_.trap),
       planned_(&projection_.layer(plan)) {

@@ -38,7 +38,7 @@ int target_ring(const PolarLayout& layout, double distance) {
 }
 
 SubgoalReadout::SubgoalReadout(const SubgoalReadoutOptions& options, double kappa)
-    : options_(options), advantage_(exponential(kappa * options.hysteresis)) {}
+    : options_(options), advantage_(kappa > 0 ? exponential(kappa * options.hysteresis) : options.hysteresis_ratio) {}
 
 /// [LM99+] Read some way off the centre: around it the activation is nearly the same in all directions, and its
 /// difference between two sides is what settles last. Hysteresis keeps the robot from wavering between two ways.

@@ -11,6 +11,7 @@ namespace meander {
 struct SubgoalReadoutOptions {
   double read_radius = 0.2;
   double hysteresis = 0.5;
+  double hysteresis_ratio = 20;
   int hysteresis_sectors = 4;
 };
 template <class Options, class Visitor>
@@ -18,7 +19,12 @@ requires std::same_as<std::remove_const_t<Options>, SubgoalReadoutOptions>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"read_radius", "m", "the direction is that of the most active unit this far from the centre", 0, 100},
         o.read_radius);
-  visit(Field{"hysteresis", "m", "another direction wins only if its way is so much shorter", 0, 10}, o.hysteresis);
+  visit(
+      Field{"hysteresis", "m", "another direction wins only if its way is so much shorter; finite volumes only", 0, 10},
+      o.hysteresis);
+  visit(Field{"hysteresis_ratio", "", "the same for other weights: only if its activation is so many times higher", 1,
+              1e9},
+        o.hysteresis_ratio);
   visit(Field{"hysteresis_sectors", "", "directions so few sectors apart are not another direction", 0, 128},
         o.hysteresis_sectors);
 }
@@ -50,6 +56,7 @@ int target_ring(const PolarLayout& layout, double distance);
 /// Reads the subgoal off: direction, then steepest ascent along it [LM99]. Nothing when no activation arrives.
 class SubgoalReadout {
  public:
+  /// `kappa` [1/m]: how fast ln v falls along a way; 0 where activation does not tell ways.
   SubgoalReadout(const SubgoalReadoutOptions& options, double kappa);
   std::optional<PolarSubgoal> operator()(const PolarState& state) const;
 
