@@ -1946,7 +1946,7 @@ function meander.mapping.models() end
 ---@param observation observation what the robot sees
 function map:update(observation) end
 
----How probably a place is occupied; 0.5: unknown. In the window of the local map by that, else by the global map.
+---How probably a place is occupied; 0.5: unknown. By the local map where that knows something, else by the global map.
 ---
 ---```lua
 ---s = meander.sim.new { world = meander.world.new { start = {2, 2, 0} } }

@@ -8,8 +8,9 @@ namespace meander {
 
 double SonarMap::probability(const Vec2& point) const {
   const Cell cell = local_.cell(point);
-  const bool near = local_.covers(cell) || !global_;
-  return static_cast<double>(probability_of(near ? local_.log_odds(cell) : global_->log_odds(cell)));
+  // A place that has come back into the window is known to the global map alone.
+  const float near = local_.covers(cell) ? local_.log_odds(cell) : 0;
+  return static_cast<double>(probability_of(near != 0 || !global_ ? near : global_->log_odds(cell)));
 }
 
 Grid<float> SonarMap::probabilities(MapPart part) const {

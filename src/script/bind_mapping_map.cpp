@@ -91,8 +91,8 @@ void bind_methods(lua_State* L) {
                                      .errors = "readings of another ring; a pose that is no place; a full global map",
                                      .example = EXAMPLE_MAP "print(m.scans)"})
       .method<&probability>(Doc{.name = "probability",
-                                .text = "How probably a place is occupied; 0.5: unknown. In the window of the local "
-                                        "map by that, else by the global map.",
+                                .text = "How probably a place is occupied; 0.5: unknown. By the local map where that "
+                                        "knows something, else by the global map.",
                                 .args = {{"x", "in the odometry frame", "m"}, {"y", "the same", "m"}},
                                 .returns = "the probability",
                                 .example = EXAMPLE_MAP "print(m:probability(2, 2))"})
