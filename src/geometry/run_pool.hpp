@@ -11,7 +11,7 @@
 namespace meander {
 
 /// A short list inside a RunPool; it owns bit_ceil(count) items there.
-struct Run {
+struct PoolRun {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
 };
@@ -21,16 +21,16 @@ struct Run {
 template <class T>
 class RunPool {
  public:
-  T* begin(const Run& run) { return items_.data() + run.first; }
-  T* end(const Run& run) { return begin(run) + run.count; }
-  std::span<const T> items(const Run& run) const { return {items_.data() + run.first, run.count}; }
+  T* begin(const PoolRun& run) { return items_.data() + run.first; }
+  T* end(const PoolRun& run) { return begin(run) + run.count; }
+  std::span<const T> items(const PoolRun& run) const { return {items_.data() + run.first, run.count}; }
   T& operator[](std::uint32_t index) { return items_[index]; }
   const T& operator[](std::uint32_t index) const { return items_[index]; }
   const T* data() const { return items_.data(); }
   std::size_t size() const { return items_.size(); }
 
   /// Changes the length; items up to the smaller length are kept, new ones are left over from other lists.
-  void resize(Run& run, std::uint32_t count) {
+  void resize(PoolRun& run, std::uint32_t count) {
     const std::uint32_t before = capacity(run.count), after = capacity(count);
     if (before != after) {
       const std::uint32_t first = take(after);
@@ -41,13 +41,13 @@ class RunPool {
     run.count = count;
   }
 
-  void push(Run& run, const T& item) {
+  void push(PoolRun& run, const T& item) {
     resize(run, run.count + 1);
     *(end(run) - 1) = item;
   }
 
   /// Removes the item by putting the last one in its place.
-  void erase(Run& run, T* item) {
+  void erase(PoolRun& run, T* item) {
     *item = *(end(run) - 1);
     resize(run, run.count - 1);
   }

@@ -60,8 +60,8 @@ class ShapeGrid {
     std::uint32_t owner = 0;
   };
   struct Cell {
-    Run walls;  ///< blocks; only the last may have unused lanes, at its end
-    Run poles;
+    PoolRun walls;  ///< blocks; only the last may have unused lanes, at its end
+    PoolRun poles;
   };
 
   template <class Visit>

@@ -16,7 +16,7 @@ struct ShapeIndex::State {
     bool present = false;
     bool round = false;  ///< a disc: one pole instead of walls
     std::uint32_t material = 0;
-    Run walls;
+    PoolRun walls;
     Disc disc;
     Box box;
   };
