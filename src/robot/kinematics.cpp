@@ -40,6 +40,17 @@ Ramped ramped(double value, double target, double rate, double dt) {
   return {target, target + 0.5 * (value - target) * (gap / most)};
 }
 
+RampedPlane ramped(const Vec2& value, const Vec2& target, double rate, double dt) {
+  const Vec2 gap = target - value;
+  if (gap.y() == 0) {  // a unicycle's: rounded as its speed alone
+    const Ramped ahead = ramped(value.x(), target.x(), rate, dt);
+    return {{ahead.end, target.y()}, {ahead.mean, target.y()}};
+  }
+  const double length = gap.norm();
+  const Ramped way = ramped(0, length, rate, dt);
+  return {way.end < length ? Vec2(value + way.end / length * gap) : target, value + way.mean / length * gap};
+}
+
 Command limited(const Command& command, const Body& body) {
   const double w = within(command.w, -body.w_max, body.w_max);
   if (body.drive == DriveKind::unicycle) return {within(command.v, body.v_min, body.v_max), w, 0};

@@ -22,6 +22,12 @@ struct Ramped {
 };
 Ramped ramped(double value, double target, double rate, double dt);
 
+/// The same in the plane: straight from the one velocity to the other, so that it is never faster than both.
+struct RampedPlane {
+  Vec2 end, mean;
+};
+RampedPlane ramped(const Vec2& value, const Vec2& target, double rate, double dt);
+
 /// The command within the body's limits; NaN and infinity become 0. Unicycles have no sideways speed; omnidirectional
 /// bodies keep the direction and are no faster than v_max in any.
 Command limited(const Command& command, const Body& body);

@@ -50,21 +50,20 @@ void SimRobot::begin_cycle(const Command& command, double period) {
 
 void SimRobot::move(const Scene& scene, std::span<const Vec2> strides, double dt) {
   const Body& body = options_.platform.body;
-  const Ramped v = ramped(state_.v, command_.v, body.a_v, dt);
-  const Ramped vy = ramped(state_.vy, command_.vy, body.a_v, dt);
+  const RampedPlane v = ramped({state_.v, state_.vy}, {command_.v, command_.vy}, body.a_v, dt);
   const Ramped w = ramped(state_.w, command_.w, body.a_w, dt);
   const Pose2 from = state_.pose_world;
-  Pose2 to = twist(from, v.mean, vy.mean, w.mean, dt);
+  Pose2 to = twist(from, v.mean.x(), v.mean.y(), w.mean, dt);
   stride_ = to.position() - from.position();
   const double share = way(scene, strides, stride_);
   if (share < 1) {  // stopped at the surface; turning on the spot goes on
     to.x = from.x + share * stride_.x();
     to.y = from.y + share * stride_.y();
   }
-  const double speed = vy.mean == 0 ? std::abs(v.mean) : std::sqrt(v.mean * v.mean + vy.mean * vy.mean);
+  const double speed = v.mean.y() == 0 ? std::abs(v.mean.x()) : v.mean.norm();
   const double driven = speed * dt * std::min(share, 1.0);
-  state_.v = share < 1 ? 0 : v.end;
-  state_.vy = share < 1 ? 0 : vy.end;
+  state_.v = share < 1 ? 0 : v.end.x();
+  state_.vy = share < 1 ? 0 : v.end.y();
   state_.w = w.end;
   state_.travelled += driven;
   state_.pose_world = to;

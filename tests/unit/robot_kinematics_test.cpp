@@ -109,6 +109,30 @@ TEST(Ramped, NeverOvershootsNorOutrunsItsRate) {
   }
 }
 
+TEST(Ramped, InThePlaneIsNeverFasterThanBothEndsAndTheMeanIsTheIntegral) {
+  Stream stream(6, "ramps");
+  for (int i = 0; i < 2000; ++i) {
+    const auto velocity = [&] {
+      const SinCos t = sin_cos(stream.uniform(-kPi, kPi));
+      return Vec2(stream.uniform(0, 0.25) * Vec2(t.cos, t.sin));
+    };
+    const Vec2 from = velocity(), to = velocity();
+    const double rate = stream.uniform(0.01, 2), dt = stream.uniform(0.01, 1), most = std::max(from.norm(), to.norm());
+    const RampedPlane whole = ramped(from, to, rate, dt);
+    EXPECT_LE(whole.end.norm(), most + 1e-12);
+    EXPECT_LE(whole.mean.norm(), most + 1e-12);
+    EXPECT_LE((whole.end - from).norm(), rate * dt + 1e-12);
+    EXPECT_NEAR(cross(whole.end - from, to - from), 0, 1e-12);
+    Vec2 at = from, sum(0, 0);
+    for (int k = 0; k < 8; ++k) {
+      const RampedPlane part = ramped(at, to, rate, dt / 8);
+      sum += part.mean / 8;
+      at = part.end;
+    }
+    EXPECT_LT((at - whole.end).norm() + (sum - whole.mean).norm(), 1e-9);
+  }
+}
+
 TEST(Limited, KeepsCommandsInsideAndMakesNonsenseZero) {
   const Body body = platform("nomad200").body;
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
