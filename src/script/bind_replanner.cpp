@@ -32,6 +32,7 @@ namespace {
 
 std::shared_ptr<Replanner> make(const PlanTable& table, const Call& call) {
   if (!table.source.map) fail("option 'map': missing, a map of meander.planning.map or read_map expected");
+  if (table.planner != "neural_map") fail("option 'planner': only neural_map follows edits, got '{}'", table.planner);
   const PlanningTask task = task_of(table);
   const NeuralMapOptions& options = table.planners.neural_map;
   return std::make_shared<Replanner>(
@@ -65,6 +66,8 @@ Planned replan(Replanner& replanner, const Call& call) {
   return or_reason(std::move(plan));
 }
 
+double relaxations(const Replanner& replanner) { return static_cast<double>(replanner.neural.last_relaxations()); }
+
 std::string text(const Replanner& replanner) {
   return fmt::format("replanner: {} x {} cells", replanner.map->solid.width(), replanner.map->solid.height());
 }
@@ -87,6 +90,10 @@ void bind_replanner(lua_State* L) {
               .returns = "the plan; or nil and why there is no path",
               .returns_type = "plan or nil, string or nil",
               .example = EXAMPLE_REPLANNER "m:block {{3, 0}, {4, 3}} print(r:replan())"})
+      .property<&relaxations>(
+          PropertyDoc{.name = "relaxations",
+                      .text = "Updates of a cell's value that the last replan needed; before it, the first solve.",
+                      .example = EXAMPLE_REPLANNER "print(r.relaxations) r:replan() print(r.relaxations)"})
       .text<&text>();
 }
 
