@@ -99,6 +99,14 @@ void checked(const Lines& lines, const Check& check) {
   lines.refuse("{}", problem);
 }
 
+/// The rest of the next line.
+std::string read_words(Lines& lines, const char* key) {
+  lines.next(key);
+  const std::string words(lines.rest());
+  checked(lines, [&] { check_words(key, words); });
+  return words;
+}
+
 void read_features(Lines& lines, SonarFeatures& features) {
   lines.next("features");
   features.sonars = lines.number<int>("sonars");
@@ -143,6 +151,9 @@ void read_weights(Lines& lines, Network& network) {
 
 std::string network_text(const SonarNetwork& n) {
   const SonarFeatures& f = n.features;
+  check_words("name", n.name);
+  check_words("sonar", n.provenance.sonar);
+  check_words("made_by", n.provenance.made_by);
   std::string text = fmt::format(
       "{}\nname {}\nfeatures {} {} {} {} {} {}\nring {} {} {}\nsonar {}\nmade_by {}\nlayers {}\nprior {}\n", kFirstLine,
       n.name, f.sonars, int{f.bearing}, int{f.residual}, f.range_cap, f.reach, f.residual_scale, n.ring.count,
@@ -162,14 +173,11 @@ SonarNetwork network_from_text(const std::string& text, const std::string& path)
   lines.next();
   if (lines.rest() != kFirstLine) lines.refuse("no sonar network of this version: '{}' expected", kFirstLine);
   SonarNetwork network;
-  lines.next("name");
-  network.name = lines.rest();
+  network.name = read_words(lines, "name");
   read_features(lines, network.features);
   read_ring(lines, network.ring);
-  lines.next("sonar");
-  network.provenance.sonar = lines.rest();
-  lines.next("made_by");
-  network.provenance.made_by = lines.rest();
+  network.provenance.sonar = read_words(lines, "sonar");
+  network.provenance.made_by = read_words(lines, "made_by");
   read_layers(lines, network.features, network.network.layers);
   lines.next("prior");
   network.prior = lines.number<double>("prior");

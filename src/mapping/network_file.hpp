@@ -9,6 +9,7 @@ namespace meander {
 
 /// The weights of a network as text: a line each for its kind, features, ring, sonar, maker, layers and prior, a line
 /// of weights for each unit, and a checksum of all before. Written and read again, it is the same to the bit.
+/// Throws ArgumentError for words that could not be read back.
 std::string network_text(const SonarNetwork& network);
 
 /// Throws FileError "path:line: what" for a text that is cut short, of another version, damaged (checksum), or that

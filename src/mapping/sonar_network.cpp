@@ -3,11 +3,11 @@
 #include "mapping/sonar_network.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "base/data_folder.hpp"
 #include "base/names.hpp"
+#include "base/visible_text.hpp"
 #include "mapping/network_file.hpp"
 
 namespace meander {
@@ -67,6 +67,12 @@ void for_each_scan(const SonarLessons& lessons, const Body& body) {
 
 }  // namespace
 
+void check_words(const std::string& what, const std::string& text) {
+  std::string shown = visible_text(text);
+  for (std::size_t at; (at = shown.find('\n')) != std::string::npos;) shown.replace(at, 1, "\\10");
+  if (shown != text) fail("{}: one line without control characters expected, got '{}'", what, shown);
+}
+
 Examples examples_of(const SonarLessons& lessons, const SonarFeatures& features) {
   Examples examples;
   examples.inputs = features.inputs();
@@ -94,8 +100,7 @@ SonarNetwork train_sonar_network(const std::string& name, const SonarFeatures& f
   if (!validation.cells.empty()) check_ring("validation lessons", validation.ring, lessons.ring);
   SonarNetwork made{.name = name, .ring = lessons.ring, .features = features, .network = {}, .provenance = {}};
   made.network = train_network(examples, examples_of(validation, features), options, work, on_epoch);
-  const ClassCounts counts = class_counts(examples);
-  if (!options.balanced) made.prior = std::log(counts.occupied / counts.free);
+  made.prior = learnt_prior(examples, options);
   return made;
 }
 

@@ -13,6 +13,10 @@ struct Provenance {
   std::string made_by;  ///< what made it, with the seed
 };
 
+/// Throws ArgumentError unless the text is one line without control characters, as names and origins of networks are:
+/// others could not be read back.
+void check_words(const std::string& what, const std::string& text);
+
 /// A network that reads one kind of sonar ring.
 struct SonarNetwork {
   std::string name;  ///< of the kind of features, or of one's own

@@ -8,6 +8,7 @@
 
 #include "base/random.hpp"
 #include "geometry/angle.hpp"
+#include "mapping/log_odds.hpp"
 #include "mapping/network_score.hpp"
 
 namespace meander {
@@ -102,7 +103,9 @@ class Learner {
         examples_(examples),
         squared_(options.method == TrainingMethod::backprop),
         weights_(example_weights(examples, options)),
-        losses_(class_counts(examples)) {}
+        losses_(class_counts(examples)),
+        prior_(static_cast<float>(learnt_prior(examples, options))),
+        base_rate_(probability_of(prior_)) {}
 
   /// `order` names up to kBlock examples; `share`: of each in the step.
   void learn(std::span<const std::uint32_t> order, float share) {
@@ -116,7 +119,7 @@ class Learner {
     }
     pass.backward(error);
     for (std::size_t i = 0; i < order.size(); ++i)
-      losses_.add(output[i / kLanes][i % kLanes], examples_.wanted[order[i]]);
+      losses_.add(output[i / kLanes][i % kLanes] - prior_, examples_.wanted[order[i]]);
   }
   double mean_loss() { return losses_.take(); }
 
@@ -130,7 +133,9 @@ class Learner {
       const std::uint32_t example = order[real ? i : 0];
       const std::span<const float> row = examples_.row(example);
       for (std::size_t k = 0; k < row.size(); ++k) inputs[k][i / kLanes][i % kLanes] = row[k];
-      wanted_[i / kLanes][i % kLanes] = examples_.wanted[example];
+      // Of what nobody can see the base rate is known, which is taken off again.
+      const float wanted = examples_.wanted[example];
+      wanted_[i / kLanes][i % kLanes] = wanted == 0.5F ? base_rate_ : wanted;
       counted_[i / kLanes][i % kLanes] = real ? weights_[example] : 0.0F;
     }
     return pass.forward();
@@ -140,6 +145,7 @@ class Learner {
   bool squared_;
   std::vector<float> weights_;
   BalancedLoss losses_;
+  float prior_, base_rate_;
   Block wanted_{}, counted_{};
 };
 
@@ -150,10 +156,16 @@ void shuffle(std::vector<std::uint32_t>& order, Stream& stream) {
 
 }  // namespace
 
+double learnt_prior(const Examples& training, const TrainingOptions& options) {
+  const ClassCounts counts = class_counts(training);
+  return options.balanced ? 0 : logarithm(counts.occupied / counts.free);
+}
+
 Network train_network(const Examples& training, const Examples& validation, const TrainingOptions& options,
                       const Work& work, const std::function<void(const TrainingEpoch&)>& on_epoch) {
   check(training, validation, options);
   Network network = random_network(layers_of(training, options), options.seed);
+  const double prior = learnt_prior(training, options);
   Learner learner(training, options, network);
   Descent descent(options, network.weights.size());
   Stream stream(options.seed, "network.order");
@@ -179,7 +191,7 @@ Network train_network(const Examples& training, const Examples& validation, cons
     const double loss = learner.mean_loss();
     if (on_epoch)
       on_epoch({epoch + 1, options.epochs, loss,
-                validation.size() > 0 ? network_score(network, validation).cross_entropy : 0});
+                validation.size() > 0 ? network_score(network, validation, prior).cross_entropy : 0});
     work.report((epoch + 1.0) / options.epochs, "training");
   }
   return network;

@@ -67,6 +67,10 @@ struct TrainingEpoch {
 Network train_network(const Examples& training, const Examples& validation, const TrainingOptions& options,
                       const Work& work = {}, const std::function<void(const TrainingEpoch&)>& on_epoch = {});
 
+/// What the outputs of a network that learns so are above what single scans tell: the log-odds of the base rate of
+/// occupied cells, [CN] eq. (3); 0 when both classes weigh the same.
+double learnt_prior(const Examples& training, const TrainingOptions& options);
+
 /// How well a network tells occupied from free, both classes weighing the same; hidden examples do not count.
 struct NetworkScore {
   double cross_entropy = 0;  ///< [nats]

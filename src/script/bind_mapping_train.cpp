@@ -111,6 +111,8 @@ class LossCurve {
 };
 
 std::shared_ptr<SonarNetwork> train(const TrainTable& table, const Call& call) {
+  check_words("option 'sonar'", table.sonar);
+  check_words("option 'made_by'", table.made_by);
   LossCurve curve(call, table.show);
   const SonarLessons none{};
   auto network = std::make_shared<SonarNetwork>(train_sonar_network(
@@ -178,12 +180,13 @@ void bind_mapping_train(lua_State* L) {
               .returns = "the lessons",
               .errors = "no world; a world without room; a number out of range",
               .example = EXAMPLE_LESSONS "print(l)"})
-      .function<&train>(Doc{.name = "train",
-                            .text = "Trains a network from random weights; the same lessons and options give the same.",
-                            .args = {{"options", "the lessons, the kind of network and how it learns"}},
-                            .returns = "the network",
-                            .errors = "lessons without occupied or free cells; a number out of range",
-                            .example = EXAMPLE_NETWORK "print(meander.mapping.model(n):score(l).ce)"})
+      .function<&train>(
+          Doc{.name = "train",
+              .text = "Trains a network from random weights; the same lessons and options give the same.",
+              .args = {{"options", "the lessons, the kind of network and how it learns"}},
+              .returns = "the network",
+              .errors = "lessons without occupied or free cells; a number out of range; words of several lines",
+              .example = EXAMPLE_NETWORK "print(meander.mapping.model(n):score(l).ce)"})
       .function<&open>(Doc{.name = "network",
                            .text = "Reads the weights of a network, e.g. of one that comes with the program.",
                            .args = {{"path", "a .txt file"}},

@@ -132,6 +132,38 @@ TEST(Training, RareClassesNeedBalance) {
   EXPECT_LT(network_score(natural, validation, prior).cross_entropy, network_score(natural, validation).cross_entropy);
 }
 
+TEST(Training, NaturalSharesLeaveHiddenCellsUnknown) {
+  // Left of 0 one cell in 25 is occupied, right of it nobody can see.
+  Stream random(10, "hidden");
+  Examples examples{1, {}, {}};
+  for (int i = 0; i < 5000; ++i) {
+    const double x = random.uniform(-1, 1);
+    examples.rows.push_back(static_cast<float>(x));
+    examples.wanted.push_back(x > 0 ? 0.5F : random.chance(0.04) ? 1.0F : 0.0F);
+  }
+  for (const bool balanced : {true, false})
+    for (const double unknown : {0.25, 2.0}) {
+      const TrainingOptions options{.hidden = {8}, .epochs = 20, .batch = 64, .balanced = balanced, .unknown = unknown};
+      const double prior = learnt_prior(examples, options);
+      EXPECT_EQ(prior == 0, balanced);
+      const std::vector<float> outputs = network_outputs(train_network(examples, {}, options), examples);
+      for (std::size_t i = 0; i < outputs.size(); ++i) {
+        if (std::abs(examples.rows[i]) < 0.2F) continue;
+        ASSERT_NEAR(outputs[i] - prior, 0, 0.7) << examples.rows[i];
+      }
+    }
+}
+
+TEST(Training, LossesOfNaturalSharesAreWithoutTheBaseRate) {
+  const Examples training = ring_examples(3, 4000), validation = ring_examples(4, 2000);
+  const TrainingOptions options{.hidden = {12}, .epochs = 20, .batch = 64, .balanced = false};
+  TrainingEpoch last;
+  const Network network =
+      train_network(training, validation, options, {}, [&](const TrainingEpoch& epoch) { last = epoch; });
+  EXPECT_EQ(last.validation, network_score(network, validation, learnt_prior(training, options)).cross_entropy);
+  EXPECT_NEAR(last.training, last.validation, 0.1);
+}
+
 /// The same bits in every build: this is compared by the builds with and without optimisation and with sanitizers.
 TEST(Training, SameSeedSameBits) {
   const Examples training = ring_examples(5, 777);

@@ -172,6 +172,31 @@ TEST(NetworkFile, EachFaultHasItsMessage) {
   EXPECT_NE(problem_of(good + "x\n").find("after the checksum"), std::string::npos);
 }
 
+TEST(NetworkFile, WordsThatCouldNotBeReadBackAreRefused) {
+  for (const char* words : {"two\nlines", "two\rlines", "a bell\a", "\x1b[2J", "half a \xc3", "del\x7f"}) {
+    SonarNetwork network = random_sonar_network("nn1", 1);
+    network.provenance.made_by = words;
+    EXPECT_THROW(network_text(network), ArgumentError) << words;
+    network = random_sonar_network("nn1", 1);
+    network.name = words;
+    EXPECT_THROW(network_text(network), ArgumentError) << words;
+  }
+  SonarNetwork network = random_sonar_network("nn1", 1);
+  network.provenance = {"", "  \xc3\xa9 \"quoted\"\tand indented "};
+  const SonarNetwork again = network_from_text(network_text(network), "w.txt");
+  EXPECT_EQ(again.provenance.sonar, "");
+  EXPECT_EQ(again.provenance.made_by, network.provenance.made_by);
+  try {
+    check_words("option 'made_by'", "two\nlines \x1b[2J");
+    FAIL();
+  } catch (const ArgumentError& error) {
+    EXPECT_STREQ(error.what(),
+                 "option 'made_by': one line without control characters expected, got 'two\\10lines \\27[2J'");
+  }
+  const std::string text = network_text(network);
+  EXPECT_NE(problem_of(with(text, "quoted", "\x1b[2J")).find("w.txt:6: made_by: one line"), std::string::npos);
+}
+
 TEST(ShippedNetworks, AreThereForBothSonarsAndOneRing) {
   for (const std::string& name : sonar_network_names())
     for (const char* preset : {"ideal", "real"}) {
