@@ -47,6 +47,16 @@ std::optional<Intent> nearest(const Situation& s) {
   return Intent{*least.best(), "the nearest unknown direction (frontier)"};
 }
 
+/// The unknown direction with the shortest way to it and on to the target as the crow flies.
+std::optional<Intent> goal_frontier(const Situation& s) {
+  LeastPort least;
+  for_unknown_ports(s, [&](const PortRef& ref, const Port&) {
+    least.offer(s, ref, s.from_here[ref.indicator.slot] + least_way_on(s, ref));
+  });
+  if (!least.best()) return std::nullopt;
+  return Intent{*least.best(), "the unknown direction nearest on the way to the target (frontier)"};
+}
+
 /// Any way out that is not closed. The order in which ports are stored must not matter: the draw is over directions.
 std::optional<Intent> random_walk(const Situation& s) {
   const std::vector<Port>& ports = s.graph.get(s.at).ports;
@@ -72,6 +82,8 @@ std::optional<Intent> decide_by_baseline(const Situation& s) {
       return tremaux(s);
     case ExplorerKind::depth_first:
       return depth_first(s);
+    case ExplorerKind::goal_frontier:
+      return goal_frontier(s);
     default:
       return nearest(s);
   }

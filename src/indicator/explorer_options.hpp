@@ -18,14 +18,13 @@ struct EnumNames<ExplorerRules> {
 };
 
 /// Who decides: the paper's rules, or one of those that they are compared with on the same graph.
-enum class ExplorerKind { indicator, tremaux, depth_first, nearest, random_walk };
+enum class ExplorerKind { indicator, tremaux, depth_first, nearest, goal_frontier, random_walk };
 template <>
 struct EnumNames<ExplorerKind> {
-  static constexpr std::pair<ExplorerKind, const char*> entries[] = {{ExplorerKind::indicator, "indicator"},
-                                                                     {ExplorerKind::tremaux, "tremaux"},
-                                                                     {ExplorerKind::depth_first, "depth_first"},
-                                                                     {ExplorerKind::nearest, "nearest"},
-                                                                     {ExplorerKind::random_walk, "random_walk"}};
+  static constexpr std::pair<ExplorerKind, const char*> entries[] = {
+      {ExplorerKind::indicator, "indicator"},         {ExplorerKind::tremaux, "tremaux"},
+      {ExplorerKind::depth_first, "depth_first"},     {ExplorerKind::nearest, "nearest"},
+      {ExplorerKind::goal_frontier, "goal_frontier"}, {ExplorerKind::random_walk, "random_walk"}};
 };
 
 struct ExplorerOptions {

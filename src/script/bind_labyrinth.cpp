@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
-#include "indicator/cell_walk.hpp"
+#include "indicator/cell_planner.hpp"
 #include "script/bind.hpp"
 #include "script/indicator_objects.hpp"
 #include "script/kit_module.hpp"
@@ -14,10 +14,16 @@ namespace meander {
 std::size_t native_size(const Labyrinth& labyrinth) {
   return sizeof(Labyrinth) + static_cast<std::size_t>(labyrinth.columns() * labyrinth.rows());
 }
+std::size_t native_size(const CellPlanner& planner) { return planner.bytes(); }
 
 }  // namespace meander
 
 namespace meander::script {
+
+template <>
+struct ObjectName<CellPlanner> {
+  static constexpr const char* value = "cell_planner";
+};
 
 enum class Side { east, north, west, south };
 
@@ -122,13 +128,15 @@ bool is_open(const Labyrinth& labyrinth, int column, int row, Side side) {
 void set_open(Labyrinth& labyrinth, int column, int row, Side side, bool open) {
   labyrinth.set_open(cell_of(labyrinth, column, row), static_cast<int>(side), open);
 }
+CellWalkTable told(const Labyrinth& labyrinth, Cell from, const CellWalk& walk) {
+  return {walk.ending,           walk.reason, walk.walked, walk.decisions, coverage(labyrinth, from, walk),
+          cell_center(walk.last)};
+}
 CellWalkTable explore(const Labyrinth& labyrinth, Explorer& explorer, const std::optional<Vec2>& start,
                       const Call& call) {
   const InUse in_use(call.L, &explorer, "explorer");
   const Cell from = start ? cell_at(labyrinth, *start) : Cell{0, 0};
-  const CellWalk walk = walk_cells(labyrinth, from, explorer, call.work());
-  return {walk.ending,           walk.reason, walk.walked, walk.decisions, coverage(labyrinth, from, walk),
-          cell_center(walk.last)};
+  return told(labyrinth, from, walk_cells(labyrinth, from, explorer, call.work()));
 }
 std::optional<double> shortest(const Labyrinth& labyrinth, const std::optional<Vec2>& from,
                                const std::optional<Vec2>& to) {
@@ -142,6 +150,18 @@ std::shared_ptr<World> world(const Labyrinth& labyrinth, const WallsTable& table
 }
 Vec2 goal(const Labyrinth& labyrinth) { return cell_center({labyrinth.columns() - 1, labyrinth.rows() - 1}); }
 Vec2 start(const Labyrinth&) { return cell_center({0, 0}); }
+std::shared_ptr<CellPlanner> planner(const Labyrinth& labyrinth, const std::optional<Vec2>& to) {
+  const Cell last{labyrinth.columns() - 1, labyrinth.rows() - 1};
+  return std::make_shared<CellPlanner>(labyrinth.columns(), labyrinth.rows(), to ? cell_at(labyrinth, *to) : last);
+}
+CellWalkTable walk(CellPlanner& planner, const Labyrinth& labyrinth, const std::optional<Vec2>& start,
+                   const Call& call) {
+  const Cell from = start ? cell_at(labyrinth, *start) : Cell{0, 0};
+  return told(labyrinth, from, planner.walk(labyrinth, from, call.work()));
+}
+std::string planner_text(const CellPlanner& planner) {
+  return planner.proven() ? "cell_planner: the shortest way is known" : "cell_planner";
+}
 DrawList picture(const Labyrinth& labyrinth) { return picture_of(labyrinth_world(labyrinth, {}, 1)); }
 std::string text(const Labyrinth& labyrinth) {
   return fmt::format("labyrinth: {} x {} cells", labyrinth.columns(), labyrinth.rows());
@@ -163,6 +183,14 @@ void bind_cells(lua_State* L) {
               .returns = "ending, reason, length, decisions, coverage, last",
               .errors = "a start outside",
               .example = LABYRINTH "print(l:explore(meander.indicator.explorer { goal = l.goal }).reason)"})
+      .method<&planner>(
+          Doc{.name = "planner",
+              .text = "What explorers are compared with that keeps a map of cells: always the shortest way as if all "
+                      "were open that was not seen closed, kept up by D* Lite.",
+              .args = {{"to", "a point in a cell, the goal; the last one when left out", "m"}},
+              .returns = "the planner, which knows nothing yet",
+              .errors = "a point outside",
+              .example = LABYRINTH "print(l:planner():walk(l).length, l:shortest())"})
       .method<&shortest>(Doc{.name = "shortest",
                              .text = "Length of the shortest way.",
                              .args = {{"from", "a point in a cell; the first one when left out", "m"},
@@ -199,6 +227,22 @@ void bind_cells(lua_State* L) {
       .text<&text>();
 }
 
+void bind_planner(lua_State* L) {
+  Type<CellPlanner>(L, "Keeps to the shortest way over cells by all that it has seen of them.")
+      .method<&walk>(
+          Doc{.name = "walk",
+              .text = "A run by a robot that sees which sides of its cell are open and how far, and knows where it is.",
+              .args = {{"labyrinth", "one of the size that it was made for"},
+                       {"start", "a point in the cell; the first one when left out", "m"}},
+              .returns = "ending, reason, length, decisions, coverage, last",
+              .errors = "another size; a start outside",
+              .example = LABYRINTH "p = l:planner() p:walk(l) print(p:walk(l).length)"})
+      .property<&CellPlanner::proven>(PropertyDoc{.name = "proven",
+                                                  .text = "The last run was as short as it can be.",
+                                                  .example = LABYRINTH "print(l:planner().proven)"})
+      .text<&planner_text>();
+}
+
 }  // namespace
 
 void bind_labyrinth(lua_State* L) {
@@ -219,6 +263,7 @@ void bind_labyrinth(lua_State* L) {
           .errors = "a number out of range",
           .example = LABYRINTH "print(l:explore(meander.indicator.explorer { goal = l.goal }).length, l:shortest())"});
   bind_cells(L);
+  bind_planner(L);
 }
 
 }  // namespace meander::script

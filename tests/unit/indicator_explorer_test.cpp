@@ -80,8 +80,8 @@ TEST(Explorer, StatesThatAGoalCannotBeReachedWhenAllIsCovered) {
       Labyrinth maze = labyrinth(seed, kind, 10, 0.1);
       const Cell goal{9, 9};
       for (int side = 2; side < kSides; ++side) maze.set_open(goal, side, false);
-      for (const ExplorerKind who :
-           {ExplorerKind::indicator, ExplorerKind::tremaux, ExplorerKind::depth_first, ExplorerKind::nearest}) {
+      for (const ExplorerKind who : {ExplorerKind::indicator, ExplorerKind::tremaux, ExplorerKind::depth_first,
+                                     ExplorerKind::nearest, ExplorerKind::goal_frontier}) {
         Explorer rules = explorer(goal, 0, ExplorerRules::optimistic, who);
         const CellWalk walk = walk_cells(maze, {0, 0}, rules);
         EXPECT_EQ(walk.ending, Ending::no_passable_direction) << to_string(who) << ": " << walk.reason;
@@ -109,8 +109,8 @@ TEST(Explorer, LiteralRulesComeToAStandstillAndRepairedOnesDoNot) {
 }
 
 TEST(Explorer, BaselinesReachTheGoalToo) {
-  for (const ExplorerKind who :
-       {ExplorerKind::tremaux, ExplorerKind::depth_first, ExplorerKind::nearest, ExplorerKind::random_walk})
+  for (const ExplorerKind who : {ExplorerKind::tremaux, ExplorerKind::depth_first, ExplorerKind::nearest,
+                                 ExplorerKind::goal_frontier, ExplorerKind::random_walk})
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       const Labyrinth maze = labyrinth(seed, LabyrinthKind::mixed, 8, 0.08);
       Explorer rules = explorer({7, 7}, 0, ExplorerRules::optimistic, who);
