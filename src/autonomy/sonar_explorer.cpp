@@ -12,13 +12,11 @@ namespace meander {
 namespace {
 
 constexpr int kFirstScans = 3;        ///< it listens before it decides
-constexpr double kSnap = 0.5;         ///< a place that is not free stands for the nearest that is, so far away [m]
 constexpr double kGoalSight = 3;      ///< a free way to the goal of so much is taken at once [m]
 constexpr double kLeastAhead = 0.35;  ///< whether in sight or not: nearer, the robot would stand still [m]
 constexpr double kProgress = 0.1;     ///< [m]
 constexpr double kBehind = 10;        ///< ways are looked for so far beyond the straight distance [m]
 constexpr double kTriedInVain = 5;    ///< evidence for a wall where the robot did not get through
-constexpr double kGivenUp = 30;       ///< the same where a frontier was looked at and stayed one
 
 }  // namespace
 
@@ -76,6 +74,7 @@ void SonarExplorer::sense(const Observation& observation) {
   at_ = at;
   map_.update(observation);
   if (std::exchange(frames_, map_.frames()) == map_.frames()) return;
+  free_space_.forget();
   sight_ = MapSight(options_.perception, options_.sight);  // cells have moved
   perception_ = MapPerception(options_.perception);
 }
@@ -102,7 +101,7 @@ bool SonarExplorer::still_worth_it() {
   checked_ = walked_;
   const ConfigurationSpace& space = map_.space();
   if (toward_ == Toward::frontier) {
-    if (options_.strategy == ExplorationStrategy::free_space) return false;
+    if (options_.strategy == ExplorationStrategy::dstar_lite) return false;
     const Cell aim = space.frame().cell(aim_);
     for (int y = aim.y - 3; y <= aim.y + 3; ++y)
       for (int x = aim.x - 3; x <= aim.x + 3; ++x)
@@ -172,47 +171,6 @@ void SonarExplorer::drive_to(Toward toward, const Vec2& place) {
   since_ = std::numeric_limits<double>::infinity();  // from the next cycle on
 }
 
-/// What the others do that the rules are compared with: they see the same map, and keep no graph.
-void SonarExplorer::decide_without_graph() {
-  if (options_.explorer.budget > 0 && walked_ > options_.explorer.budget)
-    return end(Ending::budget, fmt::format("the budget of {:g} m is spent", options_.explorer.budget));
-  const ConfigurationSpace& space = map_.space();
-  if (options_.strategy == ExplorationStrategy::free_space) {
-    field_.spread(space, space.frame().cell(goal_), 1e9, true);
-    if (nearest_reached(space, field_, at_, kSnap)) return drive_to(Toward::frontier, goal_);
-  } else if (decide_by_frontier()) {
-    return;
-  }
-  look_again();
-}
-
-/// The frontier that is nearest by the way, or by the way and as the crow flies from there to the goal.
-bool SonarExplorer::decide_by_frontier() {
-  const ConfigurationSpace& space = map_.space();
-  const double straight_on = options_.strategy == ExplorationStrategy::goal_frontier ? 1 : 0;
-  for (;;) {
-    field_.spread(space, space.frame().cell(standing()), 1e9);
-    std::optional<Cell> best;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Cell cell : field_.reached()) {
-      const Vec2 there = space.frame().center(cell);
-      const double cost = field_.at(cell) + straight_on * (there - goal_).norm();
-      if (cost >= least || !(space.frontier(cell) || cell == space.frame().cell(goal_))) continue;
-      least = cost;
-      best = cell;
-    }
-    if (!best) return false;
-    const Vec2 place = space.frame().center(*best);
-    if ((place - at_).norm() > options_.arrive) {
-      drive_to(*best == space.frame().cell(goal_) ? Toward::goal : Toward::frontier, place);
-      return true;
-    }
-    for (const Cell beside : {Cell{best->x + 1, best->y}, Cell{best->x - 1, best->y}, Cell{best->x, best->y + 1},
-                              Cell{best->x, best->y - 1}})
-      if (space.known(beside) == Known::nothing) map_.add(beside, kGivenUp);  // it stands there and cannot tell
-  }
-}
-
 /// [DG+] Ports alone do not say that a goal is out of reach: the whole map has to, and weak walls are looked at first.
 void SonarExplorer::look_again() {
   const ConfigurationSpace& space = map_.space();
@@ -243,8 +201,7 @@ bool SonarExplorer::is_blocked(const NavigatorStep& navigator, double time) {
     anchor_ = at_;
     moved_ = time;
   }
-  const auto here = nearest_reached(map_.space(), field_, at_, kSnap);
-  const double left = here ? field_.at(*here) : nearest_;
+  const double left = way_left();
   if (left < nearest_ - kProgress) {
     nearest_ = left;
     since_ = moved_ = time;
@@ -264,25 +221,37 @@ void SonarExplorer::block_ahead() {
     map_.add(map_.space().frame().cell(at_ + (map_.reach() + step) * along + i * step * across), kTriedInVain);
 }
 
+/// Over cells that are known to be free; on a second look and where D* Lite plans, over unknown ones too. Empty: no way
+/// leads there any more.
+std::vector<Cell> SonarExplorer::way_to_aim() {
+  const ConfigurationSpace& space = map_.space();
+  if (by_dstar_lite()) return way_by_dstar_lite();
+  const bool far = toward_ == Toward::frontier || toward_ == Toward::look, unknown = toward_ == Toward::look;
+  const auto target = unknown ? std::optional(space.frame().cell(aim_)) : nearest_free(space, aim_, kSnap / 2);
+  if (!target) return {};
+  field_.spread(space, *target, far ? 1e9 : (aim_ - at_).norm() + kBehind, unknown);
+  const auto here = nearest_reached(space, field_, at_, kSnap);
+  return here ? way_down(field_, *here) : std::vector<Cell>{};
+}
+
+/// Of the way that was planned in the last cycle [m].
+double SonarExplorer::way_left() const {
+  if (by_dstar_lite()) return free_space_.length();
+  const auto here = nearest_reached(map_.space(), field_, at_, kSnap);
+  return here ? field_.at(*here) : nearest_;
+}
+
 /// The farthest point in sight on the way to the aim, not farther than `ahead`. None: no free way leads there any more.
 std::optional<Subgoal> SonarExplorer::subgoal() {
   if (toward_ == Toward::nothing) return std::nullopt;
   const ConfigurationSpace& space = map_.space();
-  const bool unknown =
-      toward_ == Toward::look || (toward_ == Toward::frontier && options_.strategy == ExplorationStrategy::free_space);
-  const bool far = toward_ == Toward::frontier || toward_ == Toward::look;
-  const auto target = unknown ? std::optional(space.frame().cell(aim_)) : nearest_free(space, aim_, kSnap / 2);
-  if (!target) return std::nullopt;
-  field_.spread(space, *target, far ? 1e9 : (aim_ - at_).norm() + kBehind, unknown);
-  const auto here = nearest_reached(space, field_, at_, kSnap);
-  if (!here) return std::nullopt;
-  const std::vector<Cell> way = way_down(field_, *here);
+  const std::vector<Cell> way = way_to_aim();
   if (way.empty()) return std::nullopt;
   Cell best = way.front();
   for (std::size_t i = 0; i < way.size(); ++i) {
     const double away = (space.frame().center(way[i]) - at_).norm();
     if (away > options_.ahead) break;
-    if (away <= kLeastAhead || straight_way(space, *here, way[i])) best = way[i];
+    if (away <= kLeastAhead || straight_way(space, way.front(), way[i])) best = way[i];
   }
   ahead_ = best == way.back() ? aim_ : space.frame().center(best);
   return Subgoal{.position = ahead_, .tolerance = options_.arrive / 2};

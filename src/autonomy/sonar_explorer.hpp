@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "indicator/explorer.hpp"
+#include "indicator/free_space_way.hpp"
 #include "indicator/map_sight.hpp"
 #include "indicator/second_look.hpp"
 #include "indicator/sonar_occupancy.hpp"
@@ -13,12 +14,12 @@ namespace meander {
 
 /// Who chooses where to go on the map that the sonars made: the indicators' rules, or one of those that they are
 /// compared with, which have no graph.
-enum class ExplorationStrategy { indicators, free_space, frontier, goal_frontier };
+enum class ExplorationStrategy { indicators, dstar_lite, frontier, goal_frontier };
 template <>
 struct EnumNames<ExplorationStrategy> {
   static constexpr std::pair<ExplorationStrategy, const char*> entries[] = {
       {ExplorationStrategy::indicators, "indicators"},
-      {ExplorationStrategy::free_space, "free_space"},
+      {ExplorationStrategy::dstar_lite, "dstar_lite"},
       {ExplorationStrategy::frontier, "frontier"},
       {ExplorationStrategy::goal_frontier, "goal_frontier"}};
 };
@@ -38,11 +39,11 @@ struct SonarExplorerOptions {
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, SonarExplorerOptions>
 void fields(Options& o, Visitor&& visit) {
-  visit(
-      Field{"strategy", "",
-            "who chooses: the indicators; the shortest way with unknown as free; the frontier nearest to the robot, or "
-            "nearest on the way to the goal"},
-      o.strategy);
+  visit(Field{"strategy", "",
+              "who chooses: the indicators; D* Lite's shortest way with unknown as free; the frontier nearest to the "
+              "robot, or "
+              "nearest on the way to the goal"},
+        o.strategy);
   fields(o.explorer, visit);
   visit(Field{"map", "", "the map that the sonars make"}, o.map);
   visit(Field{"perception", "", "how ports are read off the map"}, o.perception);
@@ -81,6 +82,9 @@ class SonarExplorer {
   enum class Toward { nothing, goal, port, indicator, look, frontier };
 
   void sense(const Observation& observation);
+  bool by_dstar_lite() const {
+    return options_.strategy == ExplorationStrategy::dstar_lite && toward_ == Toward::frontier;
+  }
   bool goes_to_goal();
   bool is_there() const;
   bool still_worth_it();
@@ -93,8 +97,13 @@ class SonarExplorer {
   bool is_blocked(const NavigatorStep& navigator, double time);
   void block_ahead();
   std::optional<Subgoal> subgoal();
+  std::vector<Cell> way_to_aim();
+  std::vector<Cell> way_by_dstar_lite();
+  double way_left() const;
   Vec2 standing() const;
   void end(Ending ending, std::string reason);
+
+  static constexpr double kSnap = 0.5;  ///< a place that is not free stands for the nearest that is, so far away [m]
 
   Vec2 goal_;
   SonarExplorerOptions options_;
@@ -105,6 +114,7 @@ class SonarExplorer {
   Explorer explorer_;
   SecondLook look_;
   GeodesicField field_, near_goal_;
+  FreeSpaceWay free_space_;
   std::vector<Vec2> places_;
 
   Vec2 at_{0, 0};

@@ -62,6 +62,10 @@ std::optional<Cell> nearest_free(const ConfigurationSpace& space, const Vec2& at
   return nearest(space, at, within, [&](Cell cell) { return space.free(cell); });
 }
 
+std::optional<Cell> nearest_open(const ConfigurationSpace& space, const Vec2& at, double within) {
+  return nearest(space, at, within, [&](Cell cell) { return space.open(cell); });
+}
+
 bool straight_way(const ConfigurationSpace& space, Cell from, Cell to) {
   const int steps = 2 * std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
   for (int i = 0; i <= steps; ++i) {

@@ -19,6 +19,9 @@ std::optional<Cell> nearest_reached(const ConfigurationSpace& space, const Geode
 /// The nearest free cell to a place, within so many metres.
 std::optional<Cell> nearest_free(const ConfigurationSpace& space, const Vec2& at, double within);
 
+/// The nearest cell where nothing speaks against the robot's being, within so many metres.
+std::optional<Cell> nearest_open(const ConfigurationSpace& space, const Vec2& at, double within);
+
 /// Nothing that is known stands on the straight way between two cells.
 bool straight_way(const ConfigurationSpace& space, Cell from, Cell to);
 

@@ -82,7 +82,7 @@ TEST(SonarOccupancy, WhatIsKnownStaysWhereItIsWhenTheMapGrows) {
 
 TEST(SonarExplorer, InARoomItDrivesStraightToItsGoalAndSaysSo) {
   const Platform& robot = platform("nomad200");
-  for (const auto strategy : {ExplorationStrategy::indicators, ExplorationStrategy::free_space,
+  for (const auto strategy : {ExplorationStrategy::indicators, ExplorationStrategy::dstar_lite,
                               ExplorationStrategy::frontier, ExplorationStrategy::goal_frontier}) {
     SonarExplorerOptions options;
     options.strategy = strategy;
