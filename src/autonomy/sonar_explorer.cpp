@@ -24,11 +24,13 @@ SonarExplorer::SonarExplorer(const Vec2& goal, const Platform& platform, const S
     : goal_(goal),
       options_(options),
       map_(platform, options.map),
-      sight_(options.perception, options.sight),
-      perception_(options.perception),
+      sight_(options.ports, options.sight),
+      perception_(options.ports),
+      way_(platform, options.profile),
       explorer_(goal, options.explorer) {
   validate(options);
   map_.include(goal);
+  if (by_profile()) return;
   explorer_.perceive = [this](IndicatorGraph& graph, IndicatorId here) {
     sight_.look(graph, here, map_.space(), goal_);
   };
@@ -36,6 +38,7 @@ SonarExplorer::SonarExplorer(const Vec2& goal, const Platform& platform, const S
 
 void SonarExplorer::begin() {
   explorer_.begin();
+  way_.begin();
   look_ = {};
   set_down_ = false;
   toward_ = Toward::nothing;
@@ -53,6 +56,7 @@ GuideStep SonarExplorer::next(const Observation& observation, const NavigatorSte
   const bool listening = map_.scans() < kFirstScans;
   if (ending_ == Ending::driving && !listening) {
     if ((at_ - goal_).norm() <= options_.arrive) drive_to(Toward::goal, goal_);
+    if (by_profile()) follow_profile();
     if (toward_ != Toward::nothing && is_blocked(navigator, time)) {
       block_ahead();
       decide(true);
@@ -73,10 +77,11 @@ void SonarExplorer::sense(const Observation& observation) {
   if (!std::isfinite(since_) || toward_ == Toward::nothing) since_ = observation.time;
   at_ = at;
   map_.update(observation);
+  if (by_profile()) way_.hear(observation);
   if (std::exchange(frames_, map_.frames()) == map_.frames()) return;
   free_space_.forget();
-  sight_ = MapSight(options_.perception, options_.sight);  // cells have moved
-  perception_ = MapPerception(options_.perception);
+  sight_ = MapSight(options_.ports, options_.sight);  // cells have moved
+  perception_ = MapPerception(options_.ports);
 }
 
 /// As soon as a free way to the goal is known it is taken.
@@ -91,7 +96,9 @@ bool SonarExplorer::goes_to_goal() {
 }
 
 bool SonarExplorer::is_there() const {
-  const double near = toward_ == Toward::indicator ? options_.explorer.same : options_.arrive;
+  if (by_profile() && toward_ == Toward::port) return false;  // the profile tells
+  const bool beside = toward_ == Toward::indicator && !by_profile();
+  const double near = beside ? options_.explorer.same : options_.arrive;
   return (aim_ - at_).norm() <= near;
 }
 
@@ -108,7 +115,7 @@ bool SonarExplorer::still_worth_it() {
         if (space.frontier({x, y})) return true;
     return false;
   }
-  if (toward_ != Toward::port || !explorer_.state().at) return true;
+  if (toward_ != Toward::port || !explorer_.state().at || by_profile()) return true;
   const std::vector<IndicatorId> ids = explorer_.graph().ids();
   places_.clear();
   for (const IndicatorId id : ids) places_.push_back(explorer_.graph().get(id).position);
@@ -137,6 +144,7 @@ void SonarExplorer::decide(bool blocked) {
     if (toward_ == Toward::indicator && is_there()) percept.position = aim_;
     percept.walked = walked_ - told_;
     percept.blocked = blocked;
+    if (by_profile()) perceive_by_profile(percept);
     told_ = walked_;
     const Decision& decision = explorer_.step(percept);
     toward_ = Toward::nothing;
@@ -146,6 +154,7 @@ void SonarExplorer::decide(bool blocked) {
     }
     if (decision.ending == Ending::no_passable_direction) return look_again();
     if (decision.ending != Ending::driving) return end(decision.ending, decision.reason);
+    if (by_profile() && decision.back) return drive_to(Toward::indicator, explorer_.graph().get(*decision.to).position);
     blocked = !decision.back && !follow(decision);
     if (!blocked && !decision.back) return;
   }
@@ -153,7 +162,13 @@ void SonarExplorer::decide(bool blocked) {
 
 /// False: the robot stands where the way begins that it is to take.
 bool SonarExplorer::follow(const Decision& decision) {
-  const bool port = decision.out.port >= 0;
+  if (by_profile() && !decision.to) {
+    ++reached_;
+    way_.leave(decision.direction);
+    drive_to(Toward::port, way_.aim());
+    return true;
+  }
+  const bool port = decision.out.port >= 0 && !by_profile();
   const Vec2 place =
       port ? port_position(explorer_.graph(), decision.out) : explorer_.graph().get(*decision.to).position;
   if (port && (place - at_).norm() <= options_.arrive) return false;
@@ -244,6 +259,7 @@ double SonarExplorer::way_left() const {
 /// The farthest point in sight on the way to the aim, not farther than `ahead`. None: no free way leads there any more.
 std::optional<Subgoal> SonarExplorer::subgoal() {
   if (toward_ == Toward::nothing) return std::nullopt;
+  if (by_profile() && toward_ == Toward::port) return Subgoal{.position = ahead_ = aim_, .tolerance = 0.05};
   const ConfigurationSpace& space = map_.space();
   const std::vector<Cell> way = way_to_aim();
   if (way.empty()) return std::nullopt;

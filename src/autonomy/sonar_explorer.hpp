@@ -6,6 +6,7 @@
 #include "indicator/explorer.hpp"
 #include "indicator/free_space_way.hpp"
 #include "indicator/map_sight.hpp"
+#include "indicator/profile_way.hpp"
 #include "indicator/second_look.hpp"
 #include "indicator/sonar_occupancy.hpp"
 #include "robot/contracts.hpp"
@@ -24,11 +25,21 @@ struct EnumNames<ExplorationStrategy> {
       {ExplorationStrategy::goal_frontier, "goal_frontier"}};
 };
 
+/// What the ports of indicators are read off: the accumulated map, or the polar profile of the place.
+enum class PortPerception { map, profile };
+template <>
+struct EnumNames<PortPerception> {
+  static constexpr std::pair<PortPerception, const char*> entries[] = {{PortPerception::map, "map"},
+                                                                       {PortPerception::profile, "profile"}};
+};
+
 struct SonarExplorerOptions {
   ExplorationStrategy strategy = ExplorationStrategy::indicators;
+  PortPerception perception = PortPerception::map;
   ExplorerOptions explorer{.same = 0.3, .decisions = 20000};
   SonarOccupancyOptions map;
-  MapPerceptionOptions perception;
+  MapPerceptionOptions ports;
+  SonarProfileOptions profile;
   MapSightOptions sight;
   double ahead = 0.9;
   double arrive = 0.2;
@@ -44,9 +55,13 @@ void fields(Options& o, Visitor&& visit) {
               "robot, or "
               "nearest on the way to the goal"},
         o.strategy);
+  visit(Field{"perception", "",
+              "what ports are read off: the accumulated map, or, as in the paper, the polar profile of the place"},
+        o.perception);
   fields(o.explorer, visit);
   visit(Field{"map", "", "the map that the sonars make"}, o.map);
-  visit(Field{"perception", "", "how ports are read off the map"}, o.perception);
+  visit(Field{"ports", "", "how ports are read off the map"}, o.ports);
+  visit(Field{"profile", "", "how ports are read off the polar profile"}, o.profile);
   visit(Field{"sight", "", "of which indicators the map is asked"}, o.sight);
   visit(Field{"ahead", "m", "subgoals are so far ahead on the way", 0.1, 100}, o.ahead);
   visit(Field{"arrive", "m", "a place is reached within this", 0.05, 10}, o.arrive);
@@ -86,6 +101,11 @@ class SonarExplorer {
     return options_.strategy == ExplorationStrategy::dstar_lite && toward_ == Toward::frontier;
   }
   bool goes_to_goal();
+  bool by_profile() const {
+    return options_.perception == PortPerception::profile && options_.strategy == ExplorationStrategy::indicators;
+  }
+  void follow_profile();
+  void perceive_by_profile(Percept& percept);
   bool is_there() const;
   bool still_worth_it();
   void decide(bool blocked);
@@ -110,6 +130,7 @@ class SonarExplorer {
   SonarOccupancy map_;
   MapSight sight_;
   MapPerception perception_;
+  ProfileWay way_;
   int frames_ = 0;
   Explorer explorer_;
   SecondLook look_;
