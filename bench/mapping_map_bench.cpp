@@ -27,14 +27,27 @@ SonarModel saying(float log_odds) {
           }};
 }
 
+std::vector<Observation> drive() {
+  std::vector<Observation> scans;
+  for (int i = 0; i < 64; ++i) scans.push_back(scan_at({0.03 * i, -0.02 * i, 0.1 * i}));
+  return scans;
+}
+
 void step(benchmark::State& state, SonarModel model, Fusion rule) {
   LocalMapOptions options;
   options.fusion.rule = rule;
   LocalMap map(platform("nomad200"), std::move(model), options);
-  std::vector<Observation> scans;
-  for (int i = 0; i < 64; ++i) scans.push_back(scan_at({0.03 * i, -0.02 * i, 0.1 * i}));
+  const std::vector<Observation> scans = drive();
   std::size_t i = 0;
   for (auto _ : state) map.step(scans[i++ % scans.size()]);
+}
+
+/// With views, and everything that leaves the window kept.
+void everywhere(benchmark::State& state) {
+  SonarMap map(platform("nomad200"), saying(0.1F));
+  const std::vector<Observation> scans = drive();
+  std::size_t i = 0;
+  for (auto _ : state) map.update(scans[i++ % scans.size()]);
 }
 
 void nothing(benchmark::State& state) { step(state, saying(0), Fusion::bayes); }
@@ -61,6 +74,7 @@ BENCHMARK(bayes)->Unit(benchmark::kMicrosecond);
 BENCHMARK(viewbin)->Unit(benchmark::kMicrosecond);
 BENCHMARK(elfes)->Unit(benchmark::kMicrosecond);
 BENCHMARK(ros)->Unit(benchmark::kMicrosecond);
+BENCHMARK(everywhere)->Unit(benchmark::kMicrosecond);
 BENCHMARK(global_add)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

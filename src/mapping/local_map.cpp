@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mapping/cell_places.hpp"
 #include "mapping/log_odds.hpp"
@@ -25,25 +26,27 @@ int modulo(int value, int size) {
 
 }  // namespace
 
-LocalMap::LocalMap(const Platform& platform, SonarModel model, const LocalMapOptions& options)
+LocalMap::LocalMap(const Platform& platform, SonarModel model, const LocalMapOptions& options, bool feeds)
     : options_(checked(options)),
       model_(std::move(model)),
       limit_(log_odds_of(options.fusion.certainty)),
       body_radius_(static_cast<float>(platform.body.radius)),
       sweeps_(platform.sonar, options.range_max),
-      views_(options.fusion, options.fusion.rule == Fusion::viewbin ? options.size : 0, options.resolution),
+      views_(options.fusion, options.fusion.rule == Fusion::viewbin ? options.size : 0, options.resolution, feeds),
       low_{-options.size / 2, -options.size / 2} {
   const std::string name = fmt::format("model \"{}\"", model_.name);
   check_sonars(name, platform.sonar);
   check_ring(name, model_.ring, platform.sonar);
   const auto cells = static_cast<std::size_t>(options_.size) * static_cast<std::size_t>(options_.size);
   for (auto* list : {&range_, &bearing_, &told_, &increments_, &cells_}) list->resize(cells);
+  if (feeds) everywhere_.resize(cells);
 }
 
 /// One scan, as [CN] Figure 1 and section 3.1 list it.
 void LocalMap::step(const Observation& observation) {
   const Pose2& pose = observation.odometry.pose;
-  const Cell low = low_around(pose);                                   // what is refused leaves the map as it was
+  const Cell low = low_around(pose);  // what is refused leaves the map as it was
+  views_.check_room();
   const SonarSweep sweep = sweeps_.sweep(observation.readings, pose);  // Figure 1: sensor readings
   place_cells(low, pose);                                              // Figure 3: R and theta of every cell
   model_.evaluate(sweep, {range_, bearing_}, told_);                   // sensors selector and network: P(c|o)
@@ -63,29 +66,28 @@ Cell LocalMap::low_around(const Pose2& robot) const {
 /// The robot's cell stays in the middle; cells that enter are unknown.
 void LocalMap::slide(Cell to) {
   const int size = options_.size;
-  const Cell from = low_;
-  low_ = to;
+  const Cell from = std::exchange(low_, to);
   if (to == from) return;
-  if (std::abs(to.x - from.x) >= size || std::abs(to.y - from.y) >= size) return clear();
-  const auto was_there = [&](int at, int low) { return at >= low && at < low + size; };
   for (int y = to.y; y < to.y + size; ++y) {
-    const bool new_row = !was_there(y, from.y);
+    const bool new_row = y < from.y || y >= from.y + size;
     if (!new_row && to.x == from.x) continue;
-    const int begin = new_row || to.x < from.x ? to.x : from.x + size;
-    const int end = new_row || to.x > from.x ? to.x + size : from.x;
-    for (int x = begin; x < end; ++x) forget({x, y});
+    const int begin = new_row || to.x < from.x ? to.x : std::max(to.x, from.x + size);
+    const int end = new_row || to.x > from.x ? to.x + size : std::min(to.x + size, from.x);
+    for (int x = begin; x < end; ++x)
+      replace({from.x + modulo(x - from.x, size), from.y + modulo(y - from.y, size)}, {x, y});
   }
 }
 
-void LocalMap::clear() {
-  for (int y = low_.y; y < low_.y + options_.size; ++y)
-    for (int x = low_.x; x < low_.x + options_.size; ++x) forget({x, y});
+/// Both lie at the same place of the ring buffer.
+void LocalMap::replace(Cell left, Cell entered) {
+  const std::size_t at = slot(entered);
+  cells_[at] = 0;
+  if (options_.fusion.rule == Fusion::viewbin) views_.replace(at, left, entered);
 }
 
-void LocalMap::forget(Cell cell) {
-  const std::size_t at = slot(cell);
-  cells_[at] = 0;
-  if (options_.fusion.rule == Fusion::viewbin) views_.forget(at);
+void LocalMap::clear() {
+  std::fill(cells_.begin(), cells_.end(), 0.0F);
+  views_.clear();
 }
 
 std::size_t LocalMap::slot(Cell cell) const {
@@ -100,22 +102,28 @@ void LocalMap::place_cells(Cell low, const Pose2& pose) {
 
 /// Where the robot stands nothing else does.
 void LocalMap::weigh(double heading) {
-  const bool by_view = options_.fusion.rule == Fusion::viewbin;
+  const bool by_view = options_.fusion.rule == Fusion::viewbin, feeds = !everywhere_.empty();
   const auto turned = static_cast<float>(wrap_angle(heading));
   const auto size = static_cast<std::size_t>(options_.size);
   std::size_t i = 0;
-  for (int row = 0; row < options_.size; ++row) {
-    const std::size_t begin = slot({0, low_.y + row});
+  for (int y = low_.y; y < low_.y + options_.size; ++y) {
+    const std::size_t begin = slot({0, y});
     auto column = static_cast<std::size_t>(modulo(low_.x, options_.size));
-    for (std::size_t k = 0; k < size; ++k, ++i, column = column + 1 < size ? column + 1 : 0) {
+    for (int x = low_.x; x < low_.x + options_.size; ++x, ++i, column = column + 1 < size ? column + 1 : 0) {
       const float told = std::clamp(told_[i], -limit_, limit_);
+      ViewMemory::Increments more{told, told};
       if (range_[i] < body_radius_) {
-        increments_[i] = -2 * limit_;
+        more = {-2 * limit_, -2 * limit_};
         if (by_view) views_.set_free(begin + column);
-      } else if (by_view && told != 0)
-        increments_[i] = views_.increment(begin + column, views_.view(bearing_[i] + turned, range_[i]), told);
-      else
-        increments_[i] = told;
+      } else if (by_view && told != 0) {
+        const int view = views_.view(bearing_[i] + turned, range_[i]);
+        if (feeds)
+          more = views_.increments(begin + column, {x, y}, view, told);
+        else
+          more.window = views_.increment(begin + column, view, told);
+      }
+      increments_[i] = more.window;
+      if (feeds) everywhere_[i] = more.everywhere;
     }
   }
 }
@@ -142,7 +150,9 @@ Grid<float> LocalMap::log_odds() const {
 
 std::size_t LocalMap::bytes() const {
   return sizeof(*this) + views_.bytes() +
-         (told_.capacity() + increments_.capacity() + 6 * cells_.capacity()) * sizeof(float);
+         (range_.capacity() + bearing_.capacity() + told_.capacity() + increments_.capacity() + everywhere_.capacity() +
+          cells_.capacity()) *
+             sizeof(float);
 }
 
 }  // namespace meander

@@ -32,11 +32,12 @@ void fields(Options& o, Visitor&& visit) {
 /// as far as cells go, so that turning costs nothing and nothing is ever resampled. Cells hold log-odds; 0: unknown.
 class LocalMap {
  public:
-  /// The model must be for the platform's ring, which has sonars. Throws ArgumentError.
-  LocalMap(const Platform& platform, SonarModel model, const LocalMapOptions& options = {});
+  /// The model must be for the platform's ring, which has sonars. `feeds`: a map of everywhere takes the increments, so
+  /// that what views said of places is kept when these leave the window. Throws ArgumentError.
+  LocalMap(const Platform& platform, SonarModel model, const LocalMapOptions& options = {}, bool feeds = false);
 
-  /// Takes in one scan. Throws ArgumentError when the readings are not those of the ring or the pose is no place, and
-  /// whatever the model throws; the map stays as it was then.
+  /// Takes in one scan. Throws ArgumentError when the readings are not those of the ring or the pose is no place, Error
+  /// when no more can be kept, and whatever the model throws; the map stays as it was then.
   void step(const Observation& observation);
   void clear();
 
@@ -55,7 +56,7 @@ class LocalMap {
   const LocalMapOptions& options() const { return options_; }
   const SonarModel& model() const { return model_; }
   /// What the last scan added to the evidence, row by row from low(): to be added wherever evidence is kept as well.
-  std::span<const float> increments() const { return increments_; }
+  std::span<const float> increments() const { return everywhere_.empty() ? increments_ : everywhere_; }
   /// The largest |log-odds| of a cell.
   float limit() const { return limit_; }
   /// The window, bottom row first, placed in the odometry frame.
@@ -64,7 +65,7 @@ class LocalMap {
 
  private:
   void slide(Cell to);
-  void forget(Cell cell);
+  void replace(Cell left, Cell entered);
   void place_cells(Cell low, const Pose2& pose);
   void weigh(double heading);
   void update();
@@ -81,7 +82,8 @@ class LocalMap {
   std::vector<float> range_;       ///< R of [CN] Figure 3, row by row from low_ [m]
   std::vector<float> bearing_;     ///< theta [rad]
   std::vector<float> told_;        ///< by the last scan: ln(P(c|o) / (1 - P(c|o))), row by row from low_
-  std::vector<float> increments_;  ///< the same, less what was known
+  std::vector<float> increments_;  ///< the same, less what was known since the cell is in the window
+  std::vector<float> everywhere_;  ///< the same, less what was ever known, where the map feeds another
   std::vector<float> cells_;       ///< ring buffer in both directions: cell (x, y) at (x mod size, y mod size)
 };
 

@@ -20,7 +20,7 @@ struct EnumNames<MapPart> {
 class SonarMap {
  public:
   SonarMap(const Platform& platform, SonarModel model, const LocalMapOptions& options = {}, bool keeps_global = true)
-      : local_(platform, std::move(model), options), robot_radius_(platform.body.radius) {
+      : local_(platform, std::move(model), options, keeps_global), robot_radius_(platform.body.radius) {
     if (keeps_global) global_.emplace(options.resolution, local_.limit());
   }
 

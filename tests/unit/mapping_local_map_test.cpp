@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "base/random.hpp"
+#include "mapping/kept_views.hpp"
 #include "mapping/sonar_map.hpp"
 
 namespace meander {
@@ -281,6 +282,83 @@ TEST(GlobalMap, EqualsTheLocalMapWhileThatStaysInPlace) {
   EXPECT_EQ(all.height(), 60);
   EXPECT_EQ(all.cells(), window.cells());
   EXPECT_NEAR(all.frame.origin.x, window.frame.origin.x, 1e-12);
+}
+
+TEST(SonarMap, ViewThatLeftTheWindowCountsOnceEverywhere) {
+  SonarMap map(nomad(), telling(0.5F));
+  const Cell place = map.local().cell({0.5, 1});
+  for (int visit = 0; visit < 5; ++visit) {
+    for (int scan = 0; scan < 3; ++scan) map.update(seen_from({0, 0, 0}));
+    EXPECT_NEAR(map.local().log_odds(place), 0.5, 0.05) << "the window forgets what leaves it";
+    EXPECT_NEAR(map.global()->log_odds(place), 0.5, 0.05) << "the same view of the same place";
+    map.update(seen_from({10, 0, 0}));
+    EXPECT_EQ(map.local().log_odds(place), 0);
+  }
+  map.update(seen_from({1.3, 0.2, 0}));
+  EXPECT_NEAR(map.global()->log_odds(place), 1, 0.05) << "another view adds up";
+  map.clear();
+  map.update(seen_from({10, 0, 0}));
+  map.update(seen_from({0, 0, 0}));
+  EXPECT_NEAR(map.global()->log_odds(place), 0.5, 0.05) << "cleared maps know no views";
+}
+
+/// Only near cells are told of, so that a small and a wide window see the same.
+TEST(SonarMap, IsThatOfAWindowThatNothingLeaves) {
+  SonarModel near = telling(0);
+  near.evaluate = [](const SonarSweep& sweep, const CellPlaces& cells, std::span<float> out) {
+    const auto told = static_cast<float>(sweep.ranges[3] - 3);
+    for (std::size_t i = 0; i < cells.size(); ++i) out[i] = cells.range[i] < 0.8F ? told : 0;
+  };
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    Stream random(seed, "windows");
+    LocalMapOptions small = by(Fusion::viewbin);
+    small.size = 20;
+    small.resolution = 0.1;
+    small.fusion.view_range = 0.3;
+    LocalMapOptions wide = small;
+    wide.size = 120;
+    SonarMap map(nomad(), near, small), all(nomad(), near, wide);
+    Vec2 at(0, 0);
+    for (int step = 0; step < 500; ++step) {
+      at += Vec2(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3));
+      if (step % 40 == 39) at = Vec2(random.uniform(-2, 2), random.uniform(-2, 2));
+      at = at.cwiseMax(Vec2(-2.5, -2.5)).cwiseMin(Vec2(2.5, 2.5));
+      const Observation seen = seen_from({at.x(), at.y(), random.uniform(-3, 3)}, random.uniform(0.2, 6));
+      map.update(seen);
+      all.update(seen);
+    }
+    int known = 0, others = 0;
+    for (int y = -30; y < 30; ++y)
+      for (int x = -30; x < 30; ++x) {
+        ASSERT_NEAR(all.global()->log_odds({x, y}), all.local().log_odds({x, y}), 1e-4) << x << " " << y;
+        others += std::abs(map.global()->log_odds({x, y}) - all.global()->log_odds({x, y})) > 1e-4;
+        known += map.global()->log_odds({x, y}) != 0;
+      }
+    EXPECT_GT(known, 1000);
+    EXPECT_LE(others, 3) << "on the border of two views, which is rounded";
+  }
+}
+
+TEST(KeptViews, KeepWhatTheyAreGivenAndNoMoreThanTheyMay) {
+  KeptViews kept(24, 20'000);
+  EXPECT_EQ(kept.opinion({-1, 5}, 3), KeptViews::kNone);
+  EXPECT_EQ(kept.sum({-1, 5}), 0);
+  kept.keep_opinion({-1, 5}, 3, -127);
+  kept.keep_sum({-1, 5}, 300);
+  EXPECT_EQ(kept.opinion({-1, 5}, 3), -127);
+  EXPECT_EQ(kept.opinion({-1, 5}, 4), KeptViews::kNone);
+  EXPECT_EQ(kept.opinion({0, 5}, 3), KeptViews::kNone);
+  EXPECT_EQ(kept.sum({-1, 5}), 300);
+  EXPECT_EQ(kept.sum({31, 5}), 0);
+  EXPECT_GT(kept.bytes(), 5'000U);
+  for (int tile = 0; kept.bytes() < 20'000; ++tile) {
+    EXPECT_NO_THROW(kept.check_room());
+    kept.keep_opinion({32 * tile, 0}, 0, 1);
+  }
+  EXPECT_THROW(kept.check_room(), Error);
+  kept.clear();
+  EXPECT_EQ(kept.bytes(), 0U);
+  EXPECT_EQ(kept.opinion({-1, 5}, 3), KeptViews::kNone);
 }
 
 TEST(GlobalMap, TilesAreOneMap) {
