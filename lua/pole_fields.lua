@@ -6,6 +6,8 @@
 --   local fields = require "meander.pole_fields"
 --   local world, length = fields.make(7)
 --   local result = fields.drive { world = world, length = length, navigator = "polar", robot = fields.robot(16, 2), seed = 7 }
+local stream = require "meander.stream"
+
 local fields = {}
 
 local kCell, kCells = 0.15, 30 -- side of a cell [m], cells along a side of the field
@@ -98,17 +100,6 @@ function fields.path_length(points)
   for _, at in ipairs(points) do to(at[1], at[2]) end
   to(kStart[1], kStart[2] + kGoalAhead)
   return length
-end
-
--- Numbers in [0, 1) of this seed alone.
-local function stream(seed)
-  local state = (seed * 2654435761 + 88172645463325252) & 0x7fffffffffffffff
-  return function()
-    state = state ~ (state << 13)
-    state = state ~ (state >> 7)
-    state = state ~ (state << 17)
-    return (state >> 11) / 9007199254740992.0
-  end
 end
 
 local function index(column, row) return row * kCells + column end

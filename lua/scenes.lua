@@ -7,20 +7,11 @@
 --   local run = sim:drive { navigator = "polar", subgoals = scene.subgoals, time_limit = scene.time_limit }
 --
 -- In shipped worlds the seed turns the robot at its start and moves it by up to 10 cm; clutter and people are drawn anew.
+local stream = require "meander.stream"
+
 local scenes = {}
 
 local kRadius = 0.2667 -- of the Nomad 200, for which the routes are made [m]
-
--- Numbers in [0, 1) of this seed alone: what math.random has given before must not matter.
-local function stream(seed)
-  local state = (seed * 2654435761 + 88172645463325252) & 0x7fffffffffffffff
-  return function()
-    state = state ~ (state << 13)
-    state = state ~ (state >> 7)
-    state = state ~ (state << 17)
-    return (state >> 11) / 9007199254740992.0
-  end
-end
 
 local function between(random, low, high) return low + (high - low) * random() end
 

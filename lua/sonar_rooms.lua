@@ -6,6 +6,8 @@
 --   local rooms = require "meander.sonar_rooms"
 --   local room = rooms.make(7)
 --   local sim = meander.sim.new { world = room.world, start = room:place(), seed = 7 }
+local stream = require "meander.stream"
+
 local rooms = {}
 
 local kSide, kRoom = 12, 0.12 -- of the room, and around the hull of a robot that is placed [m]
@@ -13,14 +15,9 @@ local kReach = 0.2667 + kRoom -- of a Nomad 200 [m]
 local kDraws = 1000
 
 -- Numbers in [low, high) of this seed alone.
-local function stream(seed)
-  local state = (seed * 2654435761 + 88172645463325252) & 0x7fffffffffffffff
-  return function(low, high)
-    state = state ~ (state << 13)
-    state = state ~ (state >> 7)
-    state = state ~ (state << 17)
-    return low + (high - low) * (state >> 11) / 9007199254740992.0
-  end
+local function range(seed)
+  local random = stream(seed)
+  return function(low, high) return low + (high - low) * random() end
 end
 
 local function point(random, rim) return { random(rim, kSide - rim), random(rim, kSide - rim) } end
@@ -64,7 +61,7 @@ end
 
 --- A room of its own: `world`, and place() as often as wanted; the same seed, the same places.
 function rooms.make(seed)
-  local random = stream(seed)
+  local random = range(seed)
   return setmetatable({ world = make_world(random), random = random }, Room)
 end
 

@@ -5,10 +5,9 @@
 #include "base/error.hpp"
 #include "sensor_sonar_support.hpp"
 
-/// Calls of operator new so far (sensor_sonar_allocation_test.cpp).
-std::size_t allocations();
-
 namespace meander {
+std::size_t allocations();  // allocation_counter.cpp
+
 namespace {
 
 using namespace oracle;
