@@ -59,9 +59,10 @@ class TileSolver {
       TileCurve& curve = curve_of(unit);
       curve.gain[y][x] = 0;
       curve.hold[y][x] = 1;
-      map_.cells_of(slot)[y * kTile + x] = 1;
-      if (x == 0) map_.sides_of(slot)[y] = 1;
-      if (x == kTile - 1) map_.sides_of(slot)[kTile + y] = 1;
+      TileCells& cells = map_.cells_of(slot);
+      cells.cell[y][x] = 1;
+      if (x == 0) cells.side[0][y] = 1;
+      if (x == kTile - 1) cells.side[1][y] = 1;
       push(map_.unit_at(slot, x, y), 0, kAllSides);
     }
   }
@@ -167,7 +168,7 @@ class TileSolver {
       if (unit.exponent == TileUnit::kAsleep) continue;
       const std::int32_t t = map_.tile[static_cast<std::size_t>(unit.slot)];
       const int left = (t % map_.across - 1) * kTile, low = (t / map_.across - 1) * kTile;
-      const double* cells = map_.cells_of(unit.slot);
+      const TileCells& cells = map_.cells_of(unit.slot);
       const double offset = unit.exponent * std::numbers::ln2;
       for (int y = 0; y < kTile; ++y) {
         if (unit.rows[static_cast<std::size_t>(y)] == 0) continue;
@@ -175,8 +176,8 @@ class TileSolver {
         for (int x = 0; x < kTile; ++x)
           if ((unit.rows[static_cast<std::size_t>(y)] >> x & 1) == 0) {
             continue;
-          } else if (cells[y * kTile + x] > 0) {
-            row[x] = natural_log(cells[y * kTile + x]) + offset;
+          } else if (cells.cell[y][x] > 0) {
+            row[x] = natural_log(cells.cell[y][x]) + offset;
           } else {
             ++result.statistics.dead_units;
           }

@@ -53,6 +53,14 @@ struct Row {
           v[i], _mm256_castsi256_pd(_mm256_load_si256(reinterpret_cast<const __m256i*>(kLanes[mask >> 4 * i & 15]))));
     });
   }
+  std::uint32_t above(const Row& y) const {
+    int bits = 0;
+    for (int i = 0; i < 4; ++i) bits |= _mm256_movemask_pd(_mm256_cmp_pd(v[i], y.v[i], _CMP_GT_OQ)) << 4 * i;
+    return static_cast<std::uint32_t>(bits);
+  }
+  friend Row masked_sum(const Row& x, std::uint32_t of_x, const Row& y, std::uint32_t of_y) {
+    return x.masked(of_x) + y.masked(of_y);
+  }
   Row from_left(double in) const {
     return each([&](int i) {
       const __m256d across = _mm256_permute2f128_pd(i == 0 ? _mm256_set1_pd(in) : v[i - 1], v[i], 0x21);
@@ -111,6 +119,6 @@ class Change {
 #include "planning/tile_kernel_rows.hpp"
 
 namespace meander {
-const TileKernel kAvx2TileKernel{"avx2", relax, residual, effect};
+const TileKernel kAvx2TileKernel{"avx2", relax, residual};
 }  // namespace meander
 #endif

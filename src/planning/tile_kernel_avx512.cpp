@@ -24,6 +24,15 @@ struct Row {
     return {_mm512_maskz_mov_pd(static_cast<__mmask8>(mask), a),
             _mm512_maskz_mov_pd(static_cast<__mmask8>(mask >> 8), b)};
   }
+  std::uint32_t above(Row y) const {
+    return static_cast<std::uint32_t>(_mm512_cmp_pd_mask(a, y.a, _CMP_GT_OQ)) |
+           static_cast<std::uint32_t>(_mm512_cmp_pd_mask(b, y.b, _CMP_GT_OQ)) << 8;
+  }
+  friend Row masked_sum(Row x, std::uint32_t of_x, Row y, std::uint32_t of_y) {
+    const Row part = x.masked(of_x);
+    return {_mm512_mask_add_pd(part.a, static_cast<__mmask8>(of_y), part.a, y.a),
+            _mm512_mask_add_pd(part.b, static_cast<__mmask8>(of_y >> 8), part.b, y.b)};
+  }
   Row from_left(double in) const { return {shifted<7>(a, _mm512_set1_pd(in)), shifted<7>(b, a)}; }
   Row from_right(double in) const { return {shifted<1>(b, a), shifted<1>(_mm512_set1_pd(in), b)}; }
   double most() const { return _mm512_reduce_max_pd(_mm512_max_pd(a, b)); }
@@ -74,6 +83,6 @@ class Change {
 #include "planning/tile_kernel_rows.hpp"
 
 namespace meander {
-const TileKernel kAvx512TileKernel{"avx512", relax, residual, effect};
+const TileKernel kAvx512TileKernel{"avx512", relax, residual};
 }  // namespace meander
 #endif

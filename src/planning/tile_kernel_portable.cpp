@@ -51,6 +51,15 @@ struct Row {
   Row masked(std::uint32_t mask) const {
     return each([&](int i) { return (mask >> i & 1) != 0 ? v[i] : 0.0; });
   }
+  /// Bit i: lane i is larger than y's.
+  std::uint32_t above(const Row& y) const {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < kTile; ++i) bits |= static_cast<std::uint32_t>(v[i] > y.v[i]) << i;
+    return bits;
+  }
+  friend Row masked_sum(const Row& x, std::uint32_t of_x, const Row& y, std::uint32_t of_y) {
+    return x.masked(of_x) + y.masked(of_y);
+  }
   Row from_left(double in) const {
     return each([&](int i) { return i == 0 ? in : v[i - 1]; });
   }
@@ -83,5 +92,5 @@ class Change {
 #include "planning/tile_kernel_rows.hpp"
 
 namespace meander {
-const TileKernel kPortableTileKernel{"portable", relax, residual, effect};
+const TileKernel kPortableTileKernel{"portable", relax, residual};
 }  // namespace meander

@@ -48,7 +48,7 @@ struct Beside<false> {
   void store(double* lefts, double* rights) const { west.store(lefts), east.store(rights); }
   Row both() const { return west + east; }
   /// Of `links` bit p is set where the cells p - 1 and p of both rows are all open.
-  Row linked(std::uint32_t links) const { return west.masked(links) + east.masked(links >> 1); }
+  Row linked(std::uint32_t links) const { return masked_sum(west, links, east, links >> 1); }
 };
 
 template <bool Full, bool Plain, bool Curved>
@@ -72,17 +72,17 @@ class Sweep {
     const int rows = pass_.high - pass_.low + 1;
     int low = pass_.low, high = pass_.high;
     for (; low < high; ++low, --high) {
-      step<false>(up, low, low, low + 1, change);
-      step<false>(down, high, high + 1, high, change);
+      step<true, false>(up, low, change);
+      step<false, false>(down, high, change);
     }
     if (rows % 2 != 0) {
-      step<false>(up, low, low, low + 1, change);
-      step<true>(down, high, high + 1, high, change);
+      step<true, false>(up, low, change);
+      step<false, true>(down, high, change);
       ++low, --high;
     }
     for (; low <= pass_.high; ++low, --high) {
-      step<true>(up, low, low, low + 1, change);
-      step<true>(down, high, high + 1, high, change);
+      step<true, true>(up, low, change);
+      step<false, true>(down, high, change);
     }
     return change.most();
   }
@@ -93,7 +93,7 @@ class Sweep {
       const Front lower = before(r), upper = after(r);
       const Row c = Row::load(pass_.cell[r]);
       Row u = straight_ * (Beside<Plain>(tile_.west[r], tile_.east[r]).both() + lower.x + upper.x) +
-              slant_ * (lower.beside.linked(links(r)) + upper.beside.linked(links(r + 1)));
+              slant_ * (lower.beside.linked(lower.links) + upper.beside.linked(upper.links));
       if (Curved) u = squashed(u);
       Row off = (c - u).magnitude() / (u + Row::all(kTiny));
       if (Curved) off = off * is_free(r);
@@ -111,19 +111,21 @@ class Sweep {
   struct Front {
     Row x;
     Beside<Plain> beside;
+    std::uint32_t links;  ///< diagonals across the border to the row that it comes to
   };
 
-  std::uint32_t links(int r) const { return Plain ? 0 : pass_.links[r]; }
+  /// Border b is below row b.
+  std::uint32_t links(int b) const { return Plain ? 0 : pass_.links[b]; }
   Beside<Plain> beyond_first() const { return {Row::load(pass_.first), pass_.corner[0], pass_.corner[1]}; }
   Beside<Plain> beyond_last() const { return {Row::load(pass_.last), pass_.corner[2], pass_.corner[3]}; }
   /// What lies before the row, and after it.
   Front before(int r) const {
-    if (r == 0) return {Row::load(pass_.first), beyond_first()};
-    return {Row::load(pass_.cell[r - 1]), {tile_.west[r - 1], tile_.east[r - 1]}};
+    if (r == 0) return {Row::load(pass_.first), beyond_first(), links(0)};
+    return {Row::load(pass_.cell[r - 1]), {tile_.west[r - 1], tile_.east[r - 1]}, links(r)};
   }
   Front after(int r) const {
-    if (r == kTile - 1) return {Row::load(pass_.last), beyond_last()};
-    return {Row::load(pass_.cell[r + 1]), {tile_.west[r + 1], tile_.east[r + 1]}};
+    if (r == kTile - 1) return {Row::load(pass_.last), beyond_last(), links(kTile)};
+    return {Row::load(pass_.cell[r + 1]), {tile_.west[r + 1], tile_.east[r + 1]}, links(r + 1)};
   }
   /// 1, and 0 for targets, whose gain is 0.
   Row is_free(int r) const { return Row::load(pass_.gain[r]) / (Row::load(pass_.gain[r]) + Row::all(kTiny)); }
@@ -134,26 +136,25 @@ class Sweep {
            (Row::all(135135) + q * (Row::all(62370) + q * (Row::all(3150) + q * Row::all(28))));
   }
 
-  /// Row r by its equation; the front comes over border `from` and goes on over border `to`. Border b is below row b.
-  template <bool Last>
-  void step(Front& front, int r, int from, int to, Change& change) {
-    const bool upward = to > from;
-    const Front next = upward ? after(r) : before(r);
+  /// Row r by its equation.
+  template <bool Upward, bool Last>
+  void step(Front& front, int r, Change& change) {
+    const Front next = Upward ? after(r) : before(r);
     const Row c = Row::load(pass_.cell[r]);
     const Beside<Plain> own(tile_.west[r], tile_.east[r]);
-    const Row input = straight_ * (own.both() + next.x) + slant_ * next.beside.linked(links(to));
+    const Row input = straight_ * (own.both() + next.x) + slant_ * next.beside.linked(next.links);
     Row x = Curved
                 ? Row::load(pass_.hold[r]) * c + Row::load(pass_.gain[r]) * ((input + straight_ * front.x) +
-                                                                             slant_ * front.beside.linked(links(from)))
-                : ((keep_ * c + input) + straight_ * front.x) + slant_ * front.beside.linked(links(from));
+                                                                             slant_ * front.beside.linked(front.links))
+                : ((keep_ * c + input) + straight_ * front.x) + slant_ * front.beside.linked(front.links);
     if (!Full) x = x.masked(pass_.open[r]);
     if (Last) {
       x = x.larger(Row::all(0));
       change.see((x - c).magnitude(), x + Row::all(kSmall));
     }
     x.store(pass_.cell[r]);
-    front = {x, {x, pass_.left[r], pass_.right[r]}};
-    front.beside.store(tile_.west[r], tile_.east[r]);
+    front = {x, {x, pass_.left[r], pass_.right[r]}, next.links};
+    if (!Last) front.beside.store(tile_.west[r], tile_.east[r]);  // for the other front
   }
 
   TileScratch& tile_;
@@ -161,16 +162,65 @@ class Sweep {
   Row keep_, straight_, slant_;
 };
 
-/// How much the neighbours across an edge feel of what happened here: the change of their input, relative to what they
-/// have.
-void effect(TileEdge& e) {
-  const Row straight = Row::all(e.straight), slant = Row::all(e.slant);
-  const Row now = Row::load(e.now), change = (now - Row::load(e.old)).magnitude();
-  const auto felt = [&](Row x) { return straight * x + slant * (x.from_left(0) + x.from_right(0)); };
-  const Row share = (felt(change) / (Row::load(e.across).larger(felt(now)) + Row::all(0x1p-1000))).masked(e.open);
-  share.store(e.share);
-  e.most_share = share.most();
-  e.most_now = now.most();
+/// What lies along the sides, and the unit's cells alone.
+void take(TileScratch& t) {
+  constexpr int kEnd = kTile - 1;
+  const double* const lines[4] = {t.home->cell[0], t.home->cell[kEnd], t.home->side[0], t.home->side[1]};
+  const std::uint32_t bits[4] = {t.open[0][0], t.open[0][kEnd], t.open[1][0], t.open[1][kEnd]};
+  for (int side = 0; side < 4; ++side) {
+    const Row line = t.fresh ? Row::all(0) : Row::load(lines[side]);
+    (t.shared ? line.masked(bits[side]) : line).store(t.old[side]);
+  }
+  t.cell = t.home->cell;
+  if (!t.shared) return;
+  t.cell = t.own;
+  for (int r = 0; r < kTile; ++r) Row::load(t.home->cell[r]).masked(t.open[0][r]).store(t.own[r]);
+}
+
+/// Brings them back to the tile.
+void give(TileScratch& t) {
+  constexpr int kEnd = kTile - 1;
+  Row::load(t.cell[0]).store(t.now[TileScratch::below]);
+  Row::load(t.cell[kEnd]).store(t.now[TileScratch::above]);
+  for (int side = 0; side < 2; ++side) {
+    const int x = side * kEnd;
+    double* now = t.now[TileScratch::left + side];
+    if (t.sweep_columns)
+      Row::load(t.turned[x]).store(now);
+    else
+      for (int r = 0; r < kTile; ++r) now[r] = t.cell[r][x];
+    Row column = Row::load(now);
+    if (t.shared) column = column + Row::load(t.home->side[side]).masked(~std::uint32_t{t.open[1][x]});
+    column.store(t.home->side[side]);
+  }
+  if (!t.shared) return;
+  for (int r = 0; r < kTile; ++r) {
+    double* row = t.home->cell[r];
+    (Row::load(t.own[r]) + Row::load(row).masked(~std::uint32_t{t.open[0][r]})).store(row);
+  }
+}
+
+/// How much the neighbours across feel: the change of their input, relative to what they have.
+void tell(TileScratch& t) {
+  const Row straight = Row::all(t.beta), slant = Row::all(t.beta * kRootHalf);
+  const auto felt_of = [&](Row x) { return straight * x + slant * (x.from_left(0) + x.from_right(0)); };
+  Row highest = Row::all(0);
+  for (int side = 0; side < 4; ++side) {
+    const Row now = Row::load(t.now[side]);
+    highest = highest.larger(now);
+    TileScratch::Told& told = t.told[side];
+    told.cells = 0;
+    if (t.across[side] == 0) continue;
+    const Row felt = felt_of((now - Row::load(t.old[side])).magnitude());
+    const Row have = Row::load(t.edge[side]).larger(felt_of(now));
+    told.cells = felt.above(Row::all(t.threshold) * have) & t.across[side];
+    if (told.cells == 0) continue;
+    Change share;
+    share.see(felt.masked(told.cells), have + Row::all(0x1p-1000));
+    told.share = share.most();
+    told.highest = now.most();
+  }
+  t.highest = highest.most();
 }
 
 Pass pass_over_rows(TileScratch& t) {
@@ -227,26 +277,23 @@ double residual_as(TileScratch& t) {
   return Sweep<Full, Plain, Curved>(t, pass).residual();
 }
 
-/// Puts aside the cells of other units.
-void part(TileScratch& t) {
-  for (int r = 0; r < kTile; ++r) {
-    const Row all = Row::load(t.cell[r]), own = all.masked(t.open[0][r]);
-    own.store(t.cell[r]);
-    (all - own).store(t.others[r]);
-  }
-}
-
 void relax(TileScratch& t) {
-  if (t.shared) part(t);
-  if (t.curved) return relax_as<false, false, true>(t);
-  if (t.links[0] != nullptr) return relax_as<false, false, false>(t);
-  if (!t.full) return relax_as<false, true, false>(t);
-  relax_as<true, true, false>(t);
+  take(t);
+  if (t.gain != nullptr)
+    relax_as<false, false, true>(t);
+  else if (t.links[0] != nullptr)
+    relax_as<false, false, false>(t);
+  else if (!t.full)
+    relax_as<false, true, false>(t);
+  else
+    relax_as<true, true, false>(t);
+  give(t);
+  tell(t);
 }
 
 double residual(TileScratch& t) {
-  if (t.shared) part(t);
-  if (t.curved) return residual_as<false, false, true>(t);
+  take(t);
+  if (t.gain != nullptr) return residual_as<false, false, true>(t);
   if (t.links[0] != nullptr) return residual_as<false, false, false>(t);
   if (!t.full) return residual_as<false, true, false>(t);
   return residual_as<true, true, false>(t);

@@ -50,6 +50,14 @@ struct Row {
                         _mm_castsi128_pd(_mm_load_si128(reinterpret_cast<const __m128i*>(kLanes[mask >> 2 * i & 3]))));
     });
   }
+  std::uint32_t above(const Row& y) const {
+    int bits = 0;
+    for (int i = 0; i < 8; ++i) bits |= _mm_movemask_pd(_mm_cmpgt_pd(v[i], y.v[i])) << 2 * i;
+    return static_cast<std::uint32_t>(bits);
+  }
+  friend Row masked_sum(const Row& x, std::uint32_t of_x, const Row& y, std::uint32_t of_y) {
+    return x.masked(of_x) + y.masked(of_y);
+  }
   Row from_left(double in) const {
     return each([&](int i) { return _mm_shuffle_pd(i == 0 ? _mm_set1_pd(in) : v[i - 1], v[i], 1); });
   }
@@ -96,6 +104,6 @@ class Change {
 #include "planning/tile_kernel_rows.hpp"
 
 namespace meander {
-const TileKernel kSse2TileKernel{"sse2", relax, residual, effect};
+const TileKernel kSse2TileKernel{"sse2", relax, residual};
 }  // namespace meander
 #endif

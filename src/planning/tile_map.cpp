@@ -107,6 +107,13 @@ void add_links(TileMap& map, TileUnit& unit) {
   map.links.push_back(links);
 }
 
+void add_reach(const TileMap& map, TileUnit& unit) {
+  for (int side = 0; side < 4; ++side)
+    map.for_each_unit(map.slot_beside(unit.slot, side), [&](std::int32_t, const TileUnit& other) {
+      unit.across[static_cast<std::size_t>(side)] |= static_cast<std::uint16_t>(bits_across(map, unit, side, other));
+    });
+}
+
 }  // namespace
 
 TileMap tile_map(const PlanningProblem& problem, const Work& work) {
@@ -135,9 +142,11 @@ TileMap tile_map(const PlanningProblem& problem, const Work& work) {
   map.first_unit.push_back(static_cast<std::int32_t>(map.units.size()));
   if (problem.corners == Corners::keep)
     for (TileUnit& unit : map.units) add_links(map, unit);
-  for (const TileUnit& unit : map.units) map.cell_count += unit.size;
-  map.cells.assign(map.tile.size() * TileMap::kCells, 0);
-  map.sides.assign(map.tile.size() * 2 * kTile, 0);
+  for (TileUnit& unit : map.units) {
+    map.cell_count += unit.size;
+    add_reach(map, unit);
+  }
+  map.cells.assign(map.tile.size(), {});
   return map;
 }
 

@@ -29,6 +29,7 @@ struct TileUnit {
   bool fresh = false;       ///< holds a target of which nobody has heard yet
   std::uint16_t size = 0;   ///< cells
   TileBits rows{}, columns{};
+  std::array<std::uint16_t, 4> across{};  ///< by Side: where units of the neighbouring tile are connected with it
 };
 
 /// The map cut into tiles of 16 x 16 cells. Tiles without an open cell share slot 0, which also is the rim.
@@ -49,11 +50,24 @@ struct TileMap {
   std::vector<TileBits> open;            ///< of each slot: the open cells, row by row
   std::vector<TileUnit> units;           ///< in the order of the slots
   std::vector<Links> links;
-  std::vector<double> cells;  ///< 256 for each slot
-  std::vector<double> sides;  ///< 32 for each slot: the left column and the right one again
+  std::vector<TileCells> cells;  ///< of each slot
 
-  double* cells_of(std::int32_t s) { return &cells[static_cast<std::size_t>(s) * kCells]; }
-  double* sides_of(std::int32_t s) { return &sides[static_cast<std::size_t>(s) * 2 * kTile]; }
+  TileCells& cells_of(std::int32_t s) { return cells[static_cast<std::size_t>(s)]; }
+  /// The slot beyond a side of another, by TileScratch::Side; and beyond a corner.
+  std::int32_t slot_beside(std::int32_t s, int side) const {
+    const std::int32_t steps[4] = {-across, across, -1, 1};
+    return slot[static_cast<std::size_t>(tile[static_cast<std::size_t>(s)] + steps[side])];
+  }
+  std::int32_t slot_at_corner(std::int32_t s, int c) const {
+    const std::int32_t step = ((c & 2) != 0 ? across : -across) + ((c & 1) != 0 ? 1 : -1);
+    return slot[static_cast<std::size_t>(tile[static_cast<std::size_t>(s)] + step)];
+  }
+  template <class Visit>
+  void for_each_unit(std::int32_t s, Visit visit) const {
+    const std::int32_t end = first_unit[static_cast<std::size_t>(s) + 1];
+    for (std::int32_t u = first_unit[static_cast<std::size_t>(s)]; u < end; ++u)
+      visit(u, units[static_cast<std::size_t>(u)]);
+  }
   std::int32_t tile_of(Cell cell) const { return (cell.y / kTile + 1) * across + cell.x / kTile + 1; }
   /// The unit that holds bit x of row y of the slot; -1: none.
   std::int32_t unit_at(std::int32_t s, int x, int y) const {
@@ -62,6 +76,28 @@ struct TileMap {
     return -1;
   }
 };
+
+/// The unit's cells along one of its sides.
+inline std::uint32_t edge_bits(const TileUnit& unit, int side) {
+  switch (side) {
+    case TileScratch::below:
+      return unit.rows.front();
+    case TileScratch::above:
+      return unit.rows.back();
+    case TileScratch::left:
+      return unit.columns.front();
+    default:
+      return unit.columns.back();
+  }
+}
+
+/// The cells of `other`, across the side, if any is connected with one of the unit. Where corners are kept every
+/// diagonal connection has a straight one beside it.
+inline std::uint32_t bits_across(const TileMap& map, const TileUnit& unit, int side, const TileUnit& other) {
+  const std::uint32_t own = edge_bits(unit, side), bits = edge_bits(other, side ^ 1);
+  const std::uint32_t reach = map.corners == Corners::cut ? own | own << 1 | own >> 1 : own;
+  return (reach & bits) != 0 ? bits : 0;
+}
 
 TileMap tile_map(const PlanningProblem& problem, const Work& work = {});
 

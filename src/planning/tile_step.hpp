@@ -55,19 +55,15 @@ struct TileStep {
   };
   void gather(TileUnit& unit, TileScratch& scratch) const;
   bool gather_surroundings(TileUnit& unit, TileScratch& scratch) const;
-  void gather_edge(const TileUnit& unit, int side, double* edge, Above& above) const;
+  const double* gather_edge(const TileUnit& unit, int side, double* brought, Above& above) const;
   double gather_corner(const TileUnit& unit, int c, Above& above) const;
-  double brought(const TileUnit& unit, const TileUnit& other, double value, Above& above) const;
+  double factor_of(const TileUnit& unit, const TileUnit& other, double value, Above& above) const;
   void scale(TileUnit& unit, int blocks) const;
-  void store(TileUnit& unit, TileScratch& scratch) const;
   void bend(TileUnit& unit, const TileScratch& scratch) const;
-  void note_old(const TileUnit& unit, int side, const TileScratch& scratch, TileEdge& edge) const;
   void tell(const TileUnit& unit, std::int32_t other, double value, int change_bits, int sides,
             TileOutcome& outcome) const;
-  double tell_side(const TileUnit& unit, int side, double threshold, const TileScratch& scratch, TileEdge& edge,
-                   TileOutcome& outcome) const;
-  void tell_corners(const TileUnit& unit, double threshold, const TileScratch& scratch,
-                    const std::array<TileEdge, 4>& edges, TileOutcome& outcome) const;
+  void tell_side(const TileUnit& unit, int side, const TileScratch& scratch, TileOutcome& outcome) const;
+  void tell_corner(const TileUnit& unit, int c, const TileScratch& scratch, TileOutcome& outcome) const;
 };
 
 }  // namespace meander
