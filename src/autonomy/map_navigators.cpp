@@ -113,11 +113,13 @@ Navigator polar_on_map(const Platform& platform, std::shared_ptr<LocalMap> map, 
 Navigator with_map_safety(Navigator navigator, const Platform& platform, std::shared_ptr<LocalMap> map,
                           const MapSafetyOptions& options) {
   validate(options);
+  check_body(navigator, platform.body.radius);
   const std::string name = navigator.name + "+safety";
   const auto safety = std::make_shared<MapSafety>(std::move(navigator), platform, std::move(map), options);
   return {.name = name,
           .step = [safety](const Observation& o, const Subgoal& s) { return safety->step(o, s); },
-          .reset = [safety] { safety->reset(); }};
+          .reset = [safety] { safety->reset(); },
+          .body_radius = platform.body.radius};
 }
 
 }  // namespace meander

@@ -47,7 +47,7 @@ void SonarProfile::update(const Observation& observation) {
       const double along = to.dot(axis), across = std::abs(axis.x() * to.y() - axis.y() * to.x());
       return along > 0 && across < tangent_ * along && to.norm() < std::min(reading, options_.range) - options_.through;
     });
-    if (reading < options_.range) heard.push_back({from + reading * axis, walked_});
+    if (reading < options_.range && reading < readings.sonar_max) heard.push_back({from + reading * axis, walked_});
   }
   echoes_.insert(echoes_.end(), heard.begin(), heard.end());
 }

@@ -61,6 +61,7 @@ SonarSelector::SonarSelector(const RingLayout& ring, const SonarFeatures& featur
 void SonarSelector::take(const SonarSweep& sweep) {
   const auto count = static_cast<std::size_t>(ring_.count);
   if (sweep.ranges.size() != count) fail("sonar network: {} ranges expected, got {}", count, sweep.ranges.size());
+  reach_ = static_cast<float>(std::min(features_.reach, sweep.range_max + ring_.radius));
   for (std::size_t i = 0; i < readings_.size(); ++i) {
     const double range = sweep.ranges[(i + count - 1) % count];
     const bool echo = range < sweep.range_max;  // no number is none

@@ -52,6 +52,8 @@ class SonarSelector {
   [[gnu::always_inline]] void fill(const Selection& cells, std::span<Block> inputs, std::size_t part) const;
 
   const SonarFeatures& features() const { return features_; }
+  /// Cells farther away were out of the scan's hearing: it tells nothing of them [m].
+  float reach() const { return reach_; }
 
  private:
   using Whole = std::int32_t __attribute__((vector_size(16)));
@@ -59,6 +61,7 @@ class SonarSelector {
 
   RingLayout ring_;
   SonarFeatures features_;
+  float reach_ = 0;
   float per_pitch_;              ///< 1 / angle between neighbours [1/rad]
   std::vector<float> readings_;  ///< capped, 2 kTurns times around the ring, one more at either end
 };

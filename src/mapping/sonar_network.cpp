@@ -22,7 +22,7 @@ struct Reader {
 
   void evaluate(const SonarSweep& sweep, const CellPlaces& cells, std::span<float> log_odds) {
     selector.take(sweep);
-    const auto reach = static_cast<float>(selector.features().reach);
+    const float reach = selector.reach();
     for (std::size_t begin = 0; begin < cells.size(); begin += kBlock) {
       const std::size_t count = std::min<std::size_t>(kBlock, cells.size() - begin);
       fill(cells, begin, count);

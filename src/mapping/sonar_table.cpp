@@ -88,7 +88,7 @@ class Table {
 
   void four(Lanes range, Lanes bearing, float* log_odds) const {
     const Selection cells = selector_.select(range, bearing);
-    const auto reach = static_cast<float>(features_.reach);
+    const float reach = selector_.reach();
     for (int i = 0; i < kLanes; ++i) {
       const float r = cells.range[i];
       std::size_t row = range_bin(r) * static_cast<std::size_t>(offsets_) + offset_bin(cells.offset[i]);

@@ -25,16 +25,16 @@ SonarSweep SweepMaker::sweep(const Readings& readings, const Pose2& now) {
     const int taken = ((i + beside) % count + count) % count;
     ranges_[static_cast<std::size_t>(i)] = seen_from(readings, static_cast<std::size_t>(taken), bearing, now);
   }
-  return {ranges_, range_max_};
+  return {ranges_, silence(readings)};
 }
 
 double SweepMaker::seen_from(const Readings& readings, std::size_t index, double bearing, const Pose2& now) const {
-  const double range = readings.sonar[index];
-  if (!(range < range_max_)) return range_max_;
+  const double range = readings.sonar[index], silence = this->silence(readings);
+  if (!(range < silence)) return silence;
   const SinCos axis = sin_cos(wrap_angle(now.heading + bearing));
   const Vec2 driven = now.position() - readings.sonar_pose[index].position();
   const double since = range - driven.dot(Vec2(axis.cos, axis.sin));
-  return std::isfinite(since) ? std::clamp(since, 0.0, range_max_) : range_max_;
+  return std::isfinite(since) ? std::clamp(since, 0.0, silence) : silence;
 }
 
 }  // namespace meander

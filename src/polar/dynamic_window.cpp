@@ -181,7 +181,8 @@ Navigator dynamic_window(const Platform& platform, const DynamicWindowOptions& o
   auto window = std::make_shared<DynamicWindow>(platform, options);
   return {.name = "dynamic_window",
           .step = [window](const Observation& o, const Subgoal& s) { return window->step(o, s); },
-          .reset = [window] { window->reset(); }};
+          .reset = [window] { window->reset(); },
+          .body_radius = platform.body.radius};
 }
 
 }  // namespace meander

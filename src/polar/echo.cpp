@@ -79,8 +79,10 @@ void read_echoes(const Observation& observation, const Platform& platform, const
                  std::vector<Echo>& echoes) {
   echoes.clear();
   const Reader reader(observation, platform, rule);
-  for (std::size_t i = 0; i < observation.readings.sonar.size(); ++i)
-    if (reader.range_of(i) <= rule.range_max) echoes.push_back(reader.echo(i));
+  const Readings& readings = observation.readings;
+  for (std::size_t i = 0; i < readings.sonar.size(); ++i)
+    if (readings.sonar[i] < readings.sonar_max && reader.range_of(i) <= rule.range_max)
+      echoes.push_back(reader.echo(i));
 }
 
 }  // namespace meander

@@ -239,7 +239,10 @@ struct PolarStep {
 Navigator polar_navigator(const Platform& platform, const PolarOptions& options, PolarParts parts) {
   need_sonars("polar", platform);
   const auto inside = std::make_shared<PolarNavigator>(platform, options, std::move(parts));
-  return {.name = "polar", .step = PolarStep{inside}, .reset = [inside] { inside->reset(); }};
+  return {.name = "polar",
+          .step = PolarStep{inside},
+          .reset = [inside] { inside->reset(); },
+          .body_radius = platform.body.radius};
 }
 
 std::shared_ptr<const PolarNavigator> polar_inside(const Navigator& navigator) {

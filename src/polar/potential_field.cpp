@@ -150,7 +150,8 @@ Navigator potential_field(const Platform& platform, const PotentialFieldOptions&
   auto field = std::make_shared<PotentialField>(platform, options);
   return {.name = "potential_field",
           .step = [field](const Observation& o, const Subgoal& s) { return field->step(o, s); },
-          .reset = [field] { field->reset(); }};
+          .reset = [field] { field->reset(); },
+          .body_radius = platform.body.radius};
 }
 
 }  // namespace meander

@@ -45,7 +45,7 @@ void SonarMemory::remember(const Readings& readings) {
   if (options_.contradictions > 0) contradict();
   newest_ = (newest_ + 1) % static_cast<int>(ring_.size());
   held_ = std::min(held_ + 1, static_cast<int>(ring_.size()));
-  take_points();
+  take_points(std::min(options_.range_max, readings.sonar_max));
 }
 
 void SonarMemory::aim(const Readings& readings) {
@@ -95,13 +95,14 @@ void SonarMemory::contradict() {
     }
 }
 
-void SonarMemory::take_points() {
+/// Of beams that read less than `silence`.
+void SonarMemory::take_points(double silence) {
   Scan& scan = ring_[static_cast<std::size_t>(newest_)];
   scan.count = 0;
   if (scan.points.size() < beams_.size()) scan.points.resize(beams_.size());
   const double off_hull = body_radius_ + options_.saturated_gap - layout_.radius;
   for (const Beam& beam : beams_) {
-    if (!(beam.reading < options_.range_max - kNearMaximum)) continue;
+    if (!(beam.reading < silence - kNearMaximum)) continue;
     const double range = beam.reading <= options_.range_min + kNearMinimum ? off_hull : beam.reading;
     scan.points[scan.count++] = {beam.from + range * beam.axis, 0};
   }

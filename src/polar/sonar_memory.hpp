@@ -68,7 +68,7 @@ class SonarMemory {
   void aim(const Readings& readings);
   void contradict();
   bool passes_through(const Beam& beam, const Vec2& point) const;
-  void take_points();
+  void take_points(double silence);
 
   RingLayout layout_;
   double body_radius_;

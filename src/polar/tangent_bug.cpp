@@ -158,7 +158,8 @@ Navigator tangent_bug(const Platform& platform, const TangentBugOptions& options
   auto bug = std::make_shared<TangentBug>(platform, options);
   return {.name = "tangent_bug",
           .step = [bug](const Observation& o, const Subgoal& s) { return bug->step(o, s); },
-          .reset = [bug] { bug->reset(); }};
+          .reset = [bug] { bug->reset(); },
+          .body_radius = platform.body.radius};
 }
 
 }  // namespace meander

@@ -186,7 +186,8 @@ Navigator vfh_plus(const Platform& platform, const VfhPlusOptions& options) {
   auto vfh = std::make_shared<VfhPlus>(platform, options);
   return {.name = "vfh_plus",
           .step = [vfh](const Observation& o, const Subgoal& s) { return vfh->step(o, s); },
-          .reset = [vfh] { vfh->reset(); }};
+          .reset = [vfh] { vfh->reset(); },
+          .body_radius = platform.body.radius};
 }
 
 }  // namespace meander

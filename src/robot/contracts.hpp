@@ -37,7 +37,10 @@ struct Navigator {
   std::string name;
   std::function<NavigatorStep(const Observation&, const Subgoal&)> step;
   std::function<void()> reset = [] {};  ///< forget everything: a new run begins
+  double body_radius = 0;               ///< of the robot that it is made for [m]; 0: any
 };
+/// Throws ArgumentError when the navigator is made for a robot of another size.
+void check_body(const Navigator& navigator, double radius);
 
 struct GuideStep {
   std::optional<Subgoal> subgoal;  ///< none: finished

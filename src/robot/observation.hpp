@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "geometry/pose.hpp"
@@ -27,11 +28,12 @@ struct Odometry {
 /// One sensor suite's output of one control cycle. Arrays are in ring order, first transducer forward,
 /// counter-clockwise.
 struct Readings {
-  std::vector<double> sonar;          ///< ranges [m]; the maximum range: no echo
-  std::vector<Pose2> sonar_pose;      ///< odometry pose of the robot at which each was taken
-  std::vector<std::uint8_t> bumper;   ///< 1: pressed
-  std::vector<std::uint8_t> whisker;  ///< 1: bent
-  std::vector<double> light;          ///< brightness, compressed by the logarithm
+  std::vector<double> sonar;                                   ///< ranges [m]; the maximum range: no echo
+  double sonar_max = std::numeric_limits<double>::infinity();  ///< that range, where the sonars tell it [m]
+  std::vector<Pose2> sonar_pose;                               ///< odometry pose of the robot at which each was taken
+  std::vector<std::uint8_t> bumper;                            ///< 1: pressed
+  std::vector<std::uint8_t> whisker;                           ///< 1: bent
+  std::vector<double> light;                                   ///< brightness, compressed by the logarithm
 };
 
 /// Everything the robot side gets to see in one control cycle.

@@ -29,6 +29,7 @@ SimRobot::SimRobot(const RobotOptions& options, const Pose2& start, std::uint32_
   observation_.odometry.pose = state_.pose_world;
   observation_.readings.sonar.resize(sonars);
   observation_.readings.sonar_pose.resize(sonars);
+  observation_.readings.sonar_max = options.sonar.range_max;
   observation_.readings.bumper.resize(static_cast<std::size_t>(options.platform.bumper.count));
   observation_.readings.whisker.resize(static_cast<std::size_t>(options.platform.whisker.count));
   observation_.readings.light.resize(static_cast<std::size_t>(options.platform.light.count));

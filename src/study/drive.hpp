@@ -41,6 +41,7 @@ class Seat;
 /// first.
 class Drive {
  public:
+  /// Throws ArgumentError for more pilots than robots, and for navigators made for robots of another size.
   Drive(Sim& sim, std::span<const Pilot> pilots, const DriveOptions& options = {});
   ~Drive();
   Drive(const Drive&) = delete;

@@ -22,6 +22,7 @@ bool same_place(const Subgoal& a, const Subgoal& b) { return a.position == b.pos
 
 Seat::Seat(const Sim& sim, Pilot pilot, std::size_t robot)
     : pilot_(std::move(pilot)), robot_(robot), start_time_(sim.time()), metrics_(sim.state(robot), sim.time()) {
+  check_body(pilot_.navigator, sim.robot(robot).platform.body.radius);
   run_.navigator = pilot_.navigator.name;
   run_.guide = pilot_.guide.name;
   run_.seed = sim.options().seed;

@@ -163,6 +163,7 @@ SonarLog sonar_log_from_csv(const std::string& text, const std::string& name, co
       scan.readings.sonar.push_back(checked_range(*next++, rows.stamps[row].line, options, bad, log.report));
     for (std::size_t i = 0; i < columns.whiskers.size(); ++i) scan.readings.whisker.push_back(*next++ != 0);
     scan.readings.light.assign(next, numbers.end());
+    scan.readings.sonar_max = options.range_max;
     scan.readings.sonar_pose.assign(scan.readings.sonar.size(), scan.odometry.pose);
     log.scans.push_back(std::move(scan));
   }

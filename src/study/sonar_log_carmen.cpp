@@ -167,6 +167,7 @@ class CarmenReader {
       seen.period = log_.scans.empty() ? 0 : scan.time - log_.scans.back().time;
       seen.odometry.pose = pose;
       seen.readings.sonar = std::move(scan.ranges);
+      seen.readings.sonar_max = options_.range_max;
       seen.readings.sonar_pose.assign(seen.readings.sonar.size(), pose);
       log_.scans.push_back(std::move(seen));
     }

@@ -131,8 +131,10 @@ class WhiskerDrive {
 
 Navigator whisker_drive(const Platform& platform, const WhiskerDriveOptions& options) {
   const auto drive = std::make_shared<WhiskerDrive>(platform, options);
-  return {"whiskers", [drive](const Observation& seen, const Subgoal& subgoal) { return drive->step(seen, subgoal); },
-          [drive] { drive->reset(); }};
+  return {.name = "whiskers",
+          .step = [drive](const Observation& seen, const Subgoal& subgoal) { return drive->step(seen, subgoal); },
+          .reset = [drive] { drive->reset(); },
+          .body_radius = platform.body.radius};
 }
 
 }  // namespace meander::topology

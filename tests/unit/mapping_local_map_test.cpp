@@ -412,6 +412,20 @@ TEST(LocalMap, RefusesWhatIsNoScanAndNoPlace) {
   EXPECT_THROW(LocalMap(nomad(), telling(0.1F), fine), ArgumentError) << "too many views";
 }
 
+TEST(SweepMaker, SilenceIsWhatTheSonarsSayItIs) {
+  SweepMaker maker(nomad().sonar, kNothing);
+  Readings readings = seen_from({}, 1.5).readings;
+  readings.sonar[3] = 0.7;
+  SonarSweep heard = maker.sweep(readings, {});
+  EXPECT_EQ(heard.range_max, kNothing);
+  EXPECT_EQ(heard.ranges[0], 1.5);
+  readings.sonar_max = 1.5;
+  heard = maker.sweep(readings, {-0.1, 0, 0});  // went back: 0.7 + 0.1 cos
+  EXPECT_EQ(heard.range_max, 1.5);
+  EXPECT_EQ(heard.ranges[0], 1.5) << "no echo is not lengthened";
+  EXPECT_NEAR(heard.ranges[3], 0.7 + 0.1 * std::cos(3 * kPi / 8), 1e-9);
+}
+
 TEST(SweepMaker, ReadingsOfAMovingRobotAreSeenFromWhereItIs) {
   // Between parallel walls at x = 2 and x = -2, driving along x and turning while the sonars fire one after the other.
   SweepMaker maker(nomad().sonar, kNothing);

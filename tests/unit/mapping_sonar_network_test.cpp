@@ -125,6 +125,20 @@ TEST(SonarNetworks, ExtremesAreTaken) {
   }
 }
 
+TEST(SonarNetworks, TellNothingOfWhatIsOutOfHearing) {
+  const SonarNetwork network = random_sonar_network("nn4", 1);
+  for (const SonarModel& model : {network_model(network), table_model(network)}) {
+    const std::vector<double> silence(16, 1.2);
+    const float range[] = {0.5F, 1.42F, 1.44F, 2.1F}, bearing[] = {0.1F, 0.1F, 0.1F, 0.1F};
+    float short_sonar[4], long_sonar[4];
+    model.evaluate({silence, 1.2}, {range, bearing}, short_sonar);
+    model.evaluate({std::vector<double>(16, 6.477), 6.477}, {range, bearing}, long_sonar);
+    for (const int heard : {0, 1}) EXPECT_EQ(short_sonar[heard], long_sonar[heard]) << "no echo";
+    for (const int unheard : {2, 3}) EXPECT_EQ(short_sonar[unheard], 0);
+    EXPECT_NE(long_sonar[3], 0);
+  }
+}
+
 std::string problem_of(const std::string& text) {
   try {
     network_from_text(text, "w.txt");

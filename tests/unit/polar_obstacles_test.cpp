@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #include <gtest/gtest.h>
 
+#include "polar/echo.hpp"
 #include "polar/polar_navigator.hpp"
 
 namespace meander {
@@ -38,6 +39,24 @@ TEST(PolarObstacles, OfOnesOwnTakeThePlaceOfTheMemory) {
   ASSERT_TRUE(open.subgoal() && walled.subgoal());
   EXPECT_EQ(open.subgoal()->sector, 0) << "straight on";
   EXPECT_NE(walled.subgoal()->sector, 0) << "around the wall that only the list tells of";
+}
+
+TEST(PolarObstacles, SilenceOfShortSonarsIsNoWall) {
+  Observation seen = seeing_nothing({});
+  seen.readings.sonar.assign(16, 1.5);
+  const Platform& nomad = platform("nomad200");
+  SonarMemory memory(nomad, {});
+  memory.remember(seen.readings);
+  EXPECT_EQ(memory.scan(0).size(), 16U);
+  std::vector<Echo> echoes;
+  read_echoes(seen, nomad, {}, echoes);
+  EXPECT_EQ(echoes.size(), 16U);
+  seen.readings.sonar_max = 1.5;
+  seen.readings.sonar[4] = 0.8;
+  memory.remember(seen.readings);
+  EXPECT_EQ(memory.scan(0).size(), 1U);
+  read_echoes(seen, nomad, {}, echoes);
+  EXPECT_EQ(echoes.size(), 1U);
 }
 
 }  // namespace

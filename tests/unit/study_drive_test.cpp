@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "autonomy/navigators.hpp"
 #include "autonomy/subgoal_list.hpp"
 #include "sim_worlds.hpp"
 
@@ -46,6 +47,30 @@ TEST(Drive, ReachesTheSubgoalsAndTellsHow) {
   EXPECT_EQ(run.steps.size(), static_cast<std::size_t>(run.cycles));
   EXPECT_LT((run.steps.back().pose_world.position() - Vec2{5, 4}).norm(), 0.2);
   EXPECT_GT(run.cpu_per_cycle, 0);
+}
+
+TEST(Drive, NavigatorsMadeForAnotherBodyAreRefused) {
+  Navigator made = beeline();
+  made.body_radius = 0.15;
+  Sim sim = in_room();
+  const Guide guide = subgoal_list(places({{5, 1}}));
+  try {
+    drive(sim, made, guide);
+    FAIL();
+  } catch (const ArgumentError& error) {
+    EXPECT_STREQ(error.what(), "navigator 'beeline': made for a robot of radius 0.15 m; this one has 0.2667 m");
+  }
+  made.body_radius = 0.2667;
+  EXPECT_TRUE(drive(sim, made, guide).success);
+  for (const std::string& name : navigator_names())
+    EXPECT_EQ(navigator_by_name(name, nomad().platform).body_radius, 0.2667) << name;
+}
+
+TEST(Drive, SonarsTellTheirMaximum) {
+  RobotOptions robot = nomad(Pose2{1, 1, 0});
+  robot.sonar.range_max = 1.5;
+  const Sim sim(room(10, 6), {robot}, {});
+  EXPECT_EQ(sim.observation().readings.sonar_max, 1.5);
 }
 
 TEST(Drive, MetricsEqualThoseOfTheRecordedSteps) {
