@@ -22,6 +22,7 @@ constexpr double kTriedInVain = 5;    ///< evidence for a wall where the robot d
 
 SonarExplorer::SonarExplorer(const Vec2& goal, const Platform& platform, const SonarExplorerOptions& options)
     : goal_(goal),
+      platform_(platform),
       options_(options),
       map_(platform, options.map),
       sight_(options.ports, options.sight),

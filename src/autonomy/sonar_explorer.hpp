@@ -36,7 +36,7 @@ struct EnumNames<PortPerception> {
 struct SonarExplorerOptions {
   ExplorationStrategy strategy = ExplorationStrategy::indicators;
   PortPerception perception = PortPerception::map;
-  ExplorerOptions explorer{.same = 0.3, .decisions = 20000};
+  ExplorerOptions explorer{.same = 0.3, .evidence = 2, .decisions = 20000};
   SonarOccupancyOptions map;
   MapPerceptionOptions ports;
   SonarProfileOptions profile;
@@ -86,6 +86,9 @@ class SonarExplorer {
   Explorer& explorer() { return explorer_; }
   const Explorer& explorer() const { return explorer_; }
   const SonarOccupancy& map() const { return map_; }
+  const Vec2& goal() const { return goal_; }
+  const Platform& platform() const { return platform_; }
+  const SonarExplorerOptions& options() const { return options_; }
   Ending ending() const { return ending_; }
   const std::string& reason() const { return reason_; }
   double walked() const { return walked_; }  ///< in this run [m]
@@ -93,6 +96,7 @@ class SonarExplorer {
   int second_looks() const { return look_.count(); }
 
  private:
+  friend std::shared_ptr<SonarExplorer> sonar_explorer_from_text(const std::string& text, const std::string& path);
   /// What it drives to.
   enum class Toward { nothing, goal, port, indicator, look, frontier };
 
@@ -126,6 +130,7 @@ class SonarExplorer {
   static constexpr double kSnap = 0.5;  ///< a place that is not free stands for the nearest that is, so far away [m]
 
   Vec2 goal_;
+  Platform platform_;
   SonarExplorerOptions options_;
   SonarOccupancy map_;
   MapSight sight_;

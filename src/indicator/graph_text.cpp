@@ -35,8 +35,11 @@ class GraphReader {
   explicit GraphReader(TextLines& lines) : lines_(lines) {}
 
   IndicatorGraph read() {
-    while (lines_.next()) {
-      if (lines_.is("indicator"))
+    bool ended = false;
+    while (!ended && lines_.next()) {
+      if (lines_.is("end"))
+        ended = true;
+      else if (lines_.is("indicator"))
         indicator();
       else if (lines_.is("port"))
         port();
@@ -45,10 +48,13 @@ class GraphReader {
       else if (lines_.is("link"))
         link();
       else
-        lines_.wrong("'indicator', 'port', 'free' or 'link' expected, got '{}'", lines_.shown(0));
+        lines_.wrong("'indicator', 'port', 'free', 'link' or 'end' expected, got '{}'", lines_.shown(0));
     }
+    if (!ended) lines_.wrong("the file is cut off: 'end' expected in its last line");
+    lines_.count(1, "end");
     finish_slots();
     if (linked_ != 0) lines_.wrong("{} ports are linked, but no link says where to", linked_);
+    if (lines_.next()) lines_.wrong("nothing expected after 'end', got '{}'", lines_.shown(0));
     return std::move(graph_);
   }
 
@@ -163,7 +169,7 @@ std::string graph_lines(const IndicatorGraph& graph) {
   }
   for (const Link& link : sorted_links(graph))
     fmt::format_to(out, "link {} {} {}\n", end_text(link.a), end_text(link.b), link.length);
-  return text;
+  return text + "end\n";
 }
 
 IndicatorGraph read_graph_lines(TextLines& lines) { return GraphReader(lines).read(); }

@@ -5,6 +5,7 @@
 #include "base/atomic_file.hpp"
 #include "base/text_file.hpp"
 #include "indicator/graph_text.hpp"
+#include "indicator/option_text.hpp"
 
 namespace meander {
 namespace {
@@ -12,46 +13,6 @@ namespace {
 constexpr const char* kGraph = "indicators";
 constexpr const char* kExplorer = "explorer";
 constexpr std::size_t kMostBytes = 64u << 20;
-
-void check_header(TextLines& lines, const char* what) {
-  if (!lines.next() || lines.words().size() != 3 || !lines.is("meander") || lines.words()[1] != what)
-    lines.wrong("not a file of this kind: 'meander {} 1' expected in its first line", what);
-  if (lines.words()[2] != "1") lines.wrong("version {} is not known, only version 1 is", lines.shown(2));
-}
-
-template <class T>
-std::string value_text(const T& value) {
-  if constexpr (NamedEnum<T>)
-    return to_string(value);
-  else
-    return fmt::format("{}", value);
-}
-
-template <class T>
-void read_value(const TextLines& lines, T& value) {
-  if constexpr (NamedEnum<T>) {
-    const auto known = enum_from<T>(lines.words()[2]);
-    if (!known) lines.wrong("unknown value '{}', one of {} expected", lines.shown(2), listing(enum_names<T>()));
-    value = *known;
-  } else if constexpr (std::is_floating_point_v<T>) {
-    value = lines.number(2);
-  } else {
-    value = lines.integer<T>(2, 0, std::numeric_limits<T>::max());
-  }
-}
-
-void read_options(TextLines& lines, ExplorerOptions& options) {
-  fields(options, [&](const Field& field, auto& value) {
-    if (!lines.next() || !lines.is("option") || lines.words().size() != 3 || lines.words()[1] != field.name)
-      lines.wrong("'option {} VALUE' expected", field.name);
-    read_value(lines, value);
-  });
-  try {
-    validate(options);
-  } catch (const ArgumentError& error) {
-    lines.wrong("{}", error.what());
-  }
-}
 
 std::string place_text(const char* name, const std::optional<IndicatorId>& id, std::optional<int> port = {}) {
   std::string text = fmt::format("{} {}", name, id ? static_cast<long>(id->slot) + 1 : 0L);
@@ -110,6 +71,12 @@ void put(ExplorerState& state, const Places& places, const IndicatorGraph& graph
 
 }  // namespace
 
+void check_header(TextLines& lines, const char* what) {
+  if (!lines.next() || lines.words().size() != 3 || !lines.is("meander") || lines.words()[1] != what)
+    lines.wrong("not a file of this kind: 'meander {} 1' expected in its first line", what);
+  if (lines.words()[2] != "1") lines.wrong("version {} is not known, only version 1 is", lines.shown(2));
+}
+
 std::string to_text(const IndicatorGraph& graph) { return fmt::format("meander {} 1\n", kGraph) + graph_lines(graph); }
 
 IndicatorGraph graph_from_text(const std::string& text, const std::string& path) {
@@ -118,14 +85,10 @@ IndicatorGraph graph_from_text(const std::string& text, const std::string& path)
   return read_graph_lines(lines);
 }
 
-std::string to_text(const Explorer& explorer) {
-  std::string text = fmt::format("meander {} 1\ngoal {} {}\n", kExplorer, explorer.goal().x(), explorer.goal().y());
-  fields(explorer.options(), [&](const Field& field, const auto& value) {
-    text += fmt::format("option {} {}\n", field.name, value_text(value));
-  });
+std::string state_lines(const Explorer& explorer) {
   const ExplorerState& s = explorer.state();
-  text += fmt::format("state {} {} {} {} {} {} {}\n", s.run, s.decisions, s.in_run, s.walked, s.idle, int{s.reopened},
-                      int{s.fresh});
+  std::string text = fmt::format("state {} {} {} {} {} {} {}\n", s.run, s.decisions, s.in_run, s.walked, s.idle,
+                                 int{s.reopened}, int{s.fresh});
   text += place_text("at", s.at, s.came_by.value_or(-1));
   text += place_text("left_by", s.left_by ? std::optional(s.left_by->indicator) : std::nullopt,
                      s.left_by ? s.left_by->port : -1);
@@ -133,20 +96,35 @@ std::string to_text(const Explorer& explorer) {
   return text + graph_lines(explorer.graph());
 }
 
-Explorer explorer_from_text(const std::string& text, const std::string& path) {
-  TextLines lines(text, path);
-  check_header(lines, kExplorer);
-  if (!lines.next() || !lines.is("goal")) lines.wrong("'goal X Y' expected");
-  lines.count(3, "goal X Y");
-  const Vec2 goal{lines.number(1), lines.number(2)};
-  ExplorerOptions options;
-  read_options(lines, options);
+void read_state_lines(TextLines& lines, Explorer& explorer) {
   ExplorerState state;
   const Places places = read_state(lines, state);
   IndicatorGraph graph = read_graph_lines(lines);
   put(state, places, graph, lines);
-  Explorer explorer(goal, options);
   explorer.restore(std::move(graph), state);
+}
+
+std::string goal_line(const Vec2& goal) { return fmt::format("goal {} {}\n", goal.x(), goal.y()); }
+Vec2 read_goal_line(TextLines& lines) {
+  if (!lines.next() || !lines.is("goal")) lines.wrong("'goal X Y' expected");
+  lines.count(3, "goal X Y");
+  return {lines.number(1), lines.number(2)};
+}
+
+std::string to_text(const Explorer& explorer) {
+  return fmt::format("meander {} 1\n", kExplorer) + goal_line(explorer.goal()) + option_lines(explorer.options()) +
+         state_lines(explorer);
+}
+
+Explorer explorer_from_text(const std::string& text, const std::string& path) {
+  TextLines lines(text, path);
+  check_header(lines, kExplorer);
+  const Vec2 goal = read_goal_line(lines);
+  ExplorerOptions options;
+  read_option_lines(lines, options);
+  check_options(lines, options);
+  Explorer explorer(goal, options);
+  read_state_lines(lines, explorer);
   return explorer;
 }
 

@@ -17,8 +17,9 @@ constexpr double kBetween = 0.6;              ///< so far out cones are taken to
 constexpr int kFirstScans = 3;                ///< count although the robot has not moved
 constexpr double kTurned = 0.1;               ///< a turn by this shows something else, too [rad]
 
-Known known_by(double evidence) {
-  return evidence > kSure ? Known::wall : evidence < -kSure ? Known::free : Known::nothing;
+Known known_by(double evidence, double suspect) {
+  if (evidence < -kSure) return Known::free;
+  return evidence > kSure ? Known::wall : evidence > suspect ? Known::suspected : Known::nothing;
 }
 
 }  // namespace
@@ -31,7 +32,7 @@ SonarOccupancy::SonarOccupancy(const Platform& platform, const SonarOccupancyOpt
       reach_(platform.body.radius + options.margin),
       tangent_(0),
       aperture_(ring_.radius * kPi / std::max(ring_.count, 1)),
-      space_(0, 0, {options.resolution, {}}, reach_) {
+      space_(0, 0, {options.resolution, {}}, reach_, reach_ + options.room) {
   validate(options);
   const SinCos half = sin_cos(options.half_cone);
   tangent_ = half.sin / half.cos;
@@ -136,7 +137,7 @@ void SonarOccupancy::add(Cell cell, double evidence) {
   if (!evidence_.contains(cell)) return;
   float& value = evidence_[cell];
   value = static_cast<float>(std::clamp(value + evidence, kLeast, kMost));
-  space_.set(cell, known_by(value));
+  space_.set(cell, known_by(value, options_.suspect));
 }
 
 void SonarOccupancy::forget(Cell cell) { add(cell, -evidence(cell)); }
@@ -153,26 +154,40 @@ void SonarOccupancy::include(const Vec2& point) {
   const bool first = space_.width() == 0;
   const Vec2 rim(kRim, kRim), room(kRoom, kRoom);
   if (!first && (point - low_).minCoeff() >= kRim && (high_ - point).minCoeff() >= kRim) return;
-  const GridFrame before = space_.frame();
   const Vec2 least = point - room, most = point + room;
   low_ = first ? least : Vec2(low_.cwiseMin(least));
   high_ = first ? most : Vec2(high_.cwiseMax(most));
-  // On whole cells, so that what is known moves with them.
+  const double side = options_.resolution;
+  low_ = side * Vec2(std::floor(low_.x() / side), std::floor(low_.y() / side));  // what is known moves by whole cells
+  make_room(empty_room(low_, high_), std::move(evidence_));
+}
+
+Grid<float> SonarOccupancy::empty_room(const Vec2& low, const Vec2& high) const {
   const double side = options_.resolution;
   const auto cells = [&](double metres) { return static_cast<int>(std::floor(metres / side)); };
-  const Cell corner{cells(low_.x()), cells(low_.y())};
-  low_ = Vec2(corner.x * side, corner.y * side);
-  const int width = cells(high_.x() - low_.x()) + 1, height = cells(high_.y() - low_.y()) + 1;
-  const GridFrame frame{side, {low_.x(), low_.y(), 0}};
-  const Grid<float> known = std::move(evidence_);
-  space_ = ConfigurationSpace(width, height, frame, reach_);
-  evidence_ = Grid<float>(width, height, 0, frame);
-  freed_ = Grid<std::int32_t>(width, height, 0, frame);
-  const Cell shift = frame.cell(before.center({0, 0}));
+  return {cells(high.x() - low.x()) + 1, cells(high.y() - low.y()) + 1, 0, {side, {low.x(), low.y(), 0}}};
+}
+
+void SonarOccupancy::make_room(Grid<float> room, Grid<float> known) {
+  const Cell shift = known.width() > 0 ? room.frame.cell(known.frame.center({0, 0})) : Cell{};
+  space_ = ConfigurationSpace(room.width(), room.height(), room.frame, reach_, reach_ + options_.room);
+  freed_ = Grid<std::int32_t>(room.width(), room.height(), 0, room.frame);
+  evidence_ = std::move(room);
   for (int y = 0; y < known.height(); ++y)
     for (int x = 0; x < known.width(); ++x)
       if (known[{x, y}] != 0) add({x + shift.x, y + shift.y}, known[{x, y}]);
   ++frames_;
+}
+
+SonarOccupancy::Memory SonarOccupancy::memory() const { return {low_, high_, last_, last_heading_, scans_, evidence_}; }
+
+void SonarOccupancy::restore(const Memory& memory) {
+  low_ = memory.low;
+  high_ = memory.high;
+  last_ = memory.last;
+  last_heading_ = memory.last_heading;
+  scans_ = memory.scans;
+  make_room(empty_room(low_, high_), memory.evidence);
 }
 
 }  // namespace meander

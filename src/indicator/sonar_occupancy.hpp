@@ -18,6 +18,8 @@ struct SonarOccupancyOptions {
   double moved = 0.045;
   double margin = 0.025;
   double hard = 6;
+  double suspect = 0.6;
+  double room = 0.225;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, SonarOccupancyOptions>
@@ -31,6 +33,9 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"moved", "m", "a scan counts when the robot has moved so far since the last", 0, 10}, o.moved);
   visit(Field{"margin", "m", "kept from walls beside the robot's radius", 0, 1}, o.margin);
   visit(Field{"hard", "", "a wall with more evidence than this is certain, and hardly worn away", 2.6, 29}, o.hard);
+  visit(Field{"suspect", "", "with more evidence than this a wall is suspected, and nothing expected behind", 0, 2.5},
+        o.suspect);
+  visit(Field{"room", "m", "ways leave so much more beside them, where they can", 0, 10}, o.room);
 }
 
 /// What sonars have told of all places so far, and where the robot's centre can be by that. Everything inside a cone up
@@ -60,11 +65,25 @@ class SonarOccupancy {
   ConfigurationSpace without_weak() const;
   double reach() const { return reach_; }
 
+  /// All that it remembers, for files.
+  struct Memory {
+    Vec2 low{0, 0}, high{0, 0};  ///< its room [m]
+    Vec2 last{0, 0};             ///< where the robot was at the last scan that counted [m]
+    double last_heading = 0;     ///< [rad]
+    int scans = 0;
+    Grid<float> evidence;
+  };
+  Memory memory() const;
+  void restore(const Memory& memory);
+  /// An empty grid for a room; its lower corner lies on a corner of a cell.
+  Grid<float> empty_room(const Vec2& low, const Vec2& high) const;
+
  private:
   struct Cone {
     Vec2 at{0, 0}, axis{1, 0};
     double reading = 0;
   };
+  void make_room(Grid<float> room, Grid<float> known);
   void listen(const Observation& observation);
   void stand(const Vec2& at);
   void feel(const Observation& observation);

@@ -140,7 +140,11 @@ std::shared_ptr<Explorer> make(const ExplorerTable& table) {
   listen(*explorer, table.listeners);
   return explorer;
 }
-std::shared_ptr<Explorer> open(const InputFile& file) { return std::make_shared<Explorer>(read_explorer(file.path)); }
+std::shared_ptr<Explorer> open(const InputFile& file, const ExplorerListeners& functions) {
+  auto explorer = std::make_shared<Explorer>(read_explorer(file.path));
+  listen(*explorer, functions);
+  return explorer;
+}
 
 void begin(Explorer& explorer, const Call& call) {
   const InUse in_use(call.L, &explorer, "explorer");
@@ -207,12 +211,13 @@ void bind_explorer(lua_State* L) {
           .returns = "the explorer",
           .errors = "a number out of range",
           .example = "print(meander.indicator.explorer { goal = {5, 5}, rules = 'repaired', on_indicator = print })"})
-      .function<&open>(Doc{.name = "open_explorer",
-                           .text = "Reads an explorer that explorer:save wrote; it goes on as if nothing had been.",
-                           .args = {{"path", "the file"}},
-                           .returns = "the explorer, without functions that are called",
-                           .errors = "the file cannot be read, or is none",
-                           .example = STEPPED "f = os.tmpname() e:save(f) print(meander.indicator.open_explorer(f))"});
+      .function<&open>(
+          Doc{.name = "open_explorer",
+              .text = "Reads an explorer that explorer:save wrote; it goes on as if nothing had been.",
+              .args = {{"path", "the file"}, {"options", "functions that it calls, for they are not in the file"}},
+              .returns = "the explorer",
+              .errors = "the file cannot be read, or is none",
+              .example = STEPPED "f = os.tmpname() e:save(f) print(meander.indicator.open_explorer(f))"});
   Type<Explorer>(L, "Decides where to go, and remembers the way as a graph of indicators.")
       .method<&begin>(Doc{.name = "begin",
                           .text = "A run begins: the robot was set down at its start. What is known stays known.",

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
-#include "autonomy/sonar_explorer.hpp"
+#include "autonomy/sonar_explorer_text.hpp"
 
 #include "script/bind.hpp"
+#include "script/file_access.hpp"
 #include "script/indicator_objects.hpp"
 #include "script/kit_module.hpp"
 #include "script/kit_type.hpp"
@@ -49,6 +50,12 @@ std::shared_ptr<SonarExplorer> make(const SonarExplorerTable& table) {
   listen(explorer->explorer(), table.listeners);
   return explorer;
 }
+std::shared_ptr<SonarExplorer> open(const InputFile& file, const ExplorerListeners& functions) {
+  auto explorer = read_sonar_explorer(file.path);
+  listen(explorer->explorer(), functions);
+  return explorer;
+}
+void save(const SonarExplorer& explorer, const OutputFile& file) { write_sonar_explorer(explorer, file.path); }
 std::shared_ptr<Guide> guide(const std::shared_ptr<SonarExplorer>& explorer) {
   return std::make_shared<Guide>(exploring_guide(explorer));
 }
@@ -93,12 +100,25 @@ void bind_sonar_explorer(lua_State* L) {
               .args = {{"options", "where to, by which rules, on which robot"}},
               .returns = "the explorer, whose guide any navigator follows",
               .errors = "no goal; a number out of range",
-              .example = DROVE "print(e.ending, e.reason)"});
+              .example = DROVE "print(e.ending, e.reason)"})
+      .function<&open>(Doc{
+          .name = "open_sonar_explorer",
+          .text = "Reads a sonar explorer that sonar_explorer:save wrote: its next runs are as if nothing had been.",
+          .args = {{"path", "the file"}, {"options", "functions that it calls, for they are not in the file"}},
+          .returns = "the explorer, before its next run",
+          .errors = "the file cannot be read, or is none",
+          .example = DROVE "f = os.tmpname() e:save(f) print(meander.indicator.open_sonar_explorer(f))"});
   Type<SonarExplorer>(L, "Explores with indicators by sonar.")
       .method<&guide>(Doc{.name = "guide",
                           .text = "The guide that it is, for sim:drive. Each drive is a run.",
                           .returns = "the guide",
                           .example = SONAR_EXPLORER "print(e:guide())"})
+      .method<&save>(Doc{.name = "save",
+                         .text = "Writes what it knows, map and graph, with its goal and options, for "
+                                 "open_sonar_explorer.",
+                         .args = {{"path", "the file"}},
+                         .errors = "the file cannot be written",
+                         .example = DROVE "e:save(os.tmpname())"})
       .method<&graph>(Doc{.name = "graph",
                           .text = "A copy of its graph as it is now.",
                           .returns = "the graph",

@@ -161,11 +161,22 @@ TEST(IndicatorGraph, FilesThatAreWrongAreRefusedWithTheirLine) {
   EXPECT_EQ(complaint(head + "port 0 1 unknown 0 0 0 0 0 0\n"), "g.txt:2: a port comes after its indicator");
   EXPECT_EQ(complaint(head + "indicator 1 1 0 0\nport 0 1 blockd 0 0 0 0 0 0\n"),
             "g.txt:3: unknown state 'blockd'; did you mean 'blocked'?");
-  EXPECT_EQ(complaint(two), "g.txt:3: 1 ports are linked, but no link says where to");
+  EXPECT_EQ(complaint(two + "end\n"), "g.txt:4: 1 ports are linked, but no link says where to");
   EXPECT_EQ(complaint(two + "link 1.1 1.1 3\n"), "g.txt:4: two ends expected");
   EXPECT_EQ(complaint(two + "link 1.1 2 3\n"), "g.txt:4: there is no indicator '2'");
   EXPECT_EQ(complaint(two + "link 1.1 3\n"), "g.txt:4: 'link END END LENGTH' expected");
-  EXPECT_EQ(complaint(head), "none");
+  EXPECT_EQ(complaint(two), "g.txt:3: the file is cut off: 'end' expected in its last line");
+  EXPECT_EQ(complaint(head), "g.txt:1: the file is cut off: 'end' expected in its last line");
+  EXPECT_EQ(complaint(head + "end\nend\n"), "g.txt:3: nothing expected after 'end', got 'end'");
+  EXPECT_EQ(complaint(head + "end\n"), "none");
+}
+
+TEST(IndicatorGraph, AFileThatIsCutOffAnywhereIsRefused) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const std::string text = to_text(random_graph(seed));
+    for (std::size_t length = 0; length + 1 < text.size(); ++length)
+      EXPECT_THROW(graph_from_text(text.substr(0, length)), FileError) << length;
+  }
 }
 
 TEST(IndicatorGraph, SavingInTheMiddleChangesNothingThatFollows) {
