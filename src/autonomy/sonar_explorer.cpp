@@ -16,6 +16,7 @@ constexpr double kGoalSight = 3;      ///< a free way to the goal of so much is 
 constexpr double kLeastAhead = 0.35;  ///< whether in sight or not: nearer, the robot would stand still [m]
 constexpr double kProgress = 0.1;     ///< [m]
 constexpr double kBehind = 10;        ///< ways are looked for so far beyond the straight distance [m]
+constexpr double kDear = 4;           ///< and they may be so much dearer than they are long
 constexpr double kTriedInVain = 5;    ///< evidence for a wall where the robot did not get through
 
 }  // namespace
@@ -105,9 +106,10 @@ bool SonarExplorer::is_there() const {
 
 /// A way that was seen to be blind meanwhile is not driven to its end.
 bool SonarExplorer::still_worth_it() {
-  if (walked_ - checked_ < options_.check) return true;
-  checked_ = walked_;
   const ConfigurationSpace& space = map_.space();
+  const bool closed = toward_ == Toward::port && space.blocked(space.frame().cell(aim_));
+  if (walked_ - checked_ < options_.check && !closed) return true;
+  checked_ = walked_;
   if (toward_ == Toward::frontier) {
     if (options_.strategy == ExplorationStrategy::dstar_lite) return false;
     const Cell aim = space.frame().cell(aim_);
@@ -245,7 +247,7 @@ std::vector<Cell> SonarExplorer::way_to_aim() {
   const bool far = toward_ == Toward::frontier || toward_ == Toward::look, unknown = toward_ == Toward::look;
   const auto target = unknown ? std::optional(space.frame().cell(aim_)) : nearest_free(space, aim_, kSnap / 2);
   if (!target) return {};
-  field_.spread(space, *target, far ? 1e9 : (aim_ - at_).norm() + kBehind, unknown);
+  field_.spread(space, *target, far ? 1e9 : kDear * ((aim_ - at_).norm() + kBehind), unknown, WayCost::room);
   const auto here = nearest_reached(space, field_, at_, kSnap);
   return here ? way_down(field_, *here) : std::vector<Cell>{};
 }

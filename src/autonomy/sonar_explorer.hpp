@@ -41,7 +41,7 @@ struct SonarExplorerOptions {
   MapPerceptionOptions ports;
   SonarProfileOptions profile;
   MapSightOptions sight;
-  double ahead = 0.9;
+  double ahead = 0.7;
   double arrive = 0.2;
   double check = 0.35;
   double patience = 8;

@@ -8,12 +8,16 @@
 
 namespace meander {
 
+/// What a way costs: its length, or more where little room is around it, so that it keeps to the middle.
+enum class WayCost { length, room };
+
 /// Lengths of the ways from a cell through free cells, up to a limit. Steps along the rows count 5 fifths of a cell,
 /// diagonal ones 7; a diagonal step needs both cells beside it. Keeps its arrays from one use to the next.
 class GeodesicField {
  public:
   /// `limit` in metres. Through cells of which nothing is known as well where `unknown` is true.
-  void spread(const ConfigurationSpace& space, Cell start, double limit, bool unknown = false);
+  void spread(const ConfigurationSpace& space, Cell start, double limit, bool unknown = false,
+              WayCost cost = WayCost::length);
 
   /// [m]; infinite where no way within the limit leads.
   double at(Cell cell) const {

@@ -17,8 +17,9 @@ constexpr double kBetween = 0.6;              ///< so far out cones are taken to
 constexpr int kFirstScans = 3;                ///< count although the robot has not moved
 constexpr double kTurned = 0.1;               ///< a turn by this shows something else, too [rad]
 
-Known known_by(double evidence) {
-  return evidence > kSure ? Known::wall : evidence < -kSure ? Known::free : Known::nothing;
+Known known_by(double evidence, double suspect) {
+  if (evidence < -kSure) return Known::free;
+  return evidence > kSure ? Known::wall : evidence > suspect ? Known::suspected : Known::nothing;
 }
 
 }  // namespace
@@ -31,7 +32,7 @@ SonarOccupancy::SonarOccupancy(const Platform& platform, const SonarOccupancyOpt
       reach_(platform.body.radius + options.margin),
       tangent_(0),
       aperture_(ring_.radius * kPi / std::max(ring_.count, 1)),
-      space_(0, 0, {options.resolution, {}}, reach_) {
+      space_(0, 0, {options.resolution, {}}, reach_, reach_ + options.room) {
   validate(options);
   const SinCos half = sin_cos(options.half_cone);
   tangent_ = half.sin / half.cos;
@@ -136,7 +137,7 @@ void SonarOccupancy::add(Cell cell, double evidence) {
   if (!evidence_.contains(cell)) return;
   float& value = evidence_[cell];
   value = static_cast<float>(std::clamp(value + evidence, kLeast, kMost));
-  space_.set(cell, known_by(value));
+  space_.set(cell, known_by(value, options_.suspect));
 }
 
 void SonarOccupancy::forget(Cell cell) { add(cell, -evidence(cell)); }
@@ -169,7 +170,7 @@ Grid<float> SonarOccupancy::empty_room(const Vec2& low, const Vec2& high) const 
 
 void SonarOccupancy::make_room(Grid<float> room, Grid<float> known) {
   const Cell shift = known.width() > 0 ? room.frame.cell(known.frame.center({0, 0})) : Cell{};
-  space_ = ConfigurationSpace(room.width(), room.height(), room.frame, reach_);
+  space_ = ConfigurationSpace(room.width(), room.height(), room.frame, reach_, reach_ + options_.room);
   freed_ = Grid<std::int32_t>(room.width(), room.height(), 0, room.frame);
   evidence_ = std::move(room);
   for (int y = 0; y < known.height(); ++y)

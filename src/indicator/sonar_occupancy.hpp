@@ -18,6 +18,8 @@ struct SonarOccupancyOptions {
   double moved = 0.045;
   double margin = 0.025;
   double hard = 6;
+  double suspect = 0.6;
+  double room = 0.225;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, SonarOccupancyOptions>
@@ -31,6 +33,9 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"moved", "m", "a scan counts when the robot has moved so far since the last", 0, 10}, o.moved);
   visit(Field{"margin", "m", "kept from walls beside the robot's radius", 0, 1}, o.margin);
   visit(Field{"hard", "", "a wall with more evidence than this is certain, and hardly worn away", 2.6, 29}, o.hard);
+  visit(Field{"suspect", "", "with more evidence than this a wall is suspected, and nothing expected behind", 0, 2.5},
+        o.suspect);
+  visit(Field{"room", "m", "ways leave so much more beside them, where they can", 0, 10}, o.room);
 }
 
 /// What sonars have told of all places so far, and where the robot's centre can be by that. Everything inside a cone up
