@@ -4,101 +4,187 @@
 -- finds which knows the whole plan.
 --
 --   ./meander examples/explore_map.lua worlds/office.toml 6.0,4.5 --start 1.0,1.0
---   ./meander examples/explore_map.lua depot.yaml random --pairs 20 --explorer frontier
+--   ./meander examples/explore_map.lua depot.yaml random --pairs 20 --explorer indicator,frontier
+--   ./meander examples/explore_map.lua worlds/office.toml random --pairs 20 --through doors --explorer all
+local course = require "meander.labyrinth_course"
 local json = require "meander.json"
 local report = require "meander.report"
 
 local options = require "meander.arguments" {
   about = "explores a floor plan by sonar",
   { "--seed N", default = 2001, help = "of the pairs and of all noise" },
-  { "--pairs N", default = 5, help = "starts and goals drawn at random, where GOAL is random" },
+  { "--pairs N", default = 5, least = 1, most = 10000, help = "starts and goals drawn at random, where GOAL is random" },
   { "--start X,Y", default = "", help = "start; left out: that of the map" },
-  { "--explorer NAME", default = "indicators", values = { "indicators", "free_space", "frontier", "goal_frontier" }, help = "who chooses" },
+  { "--explorer NAME,...", default = "indicator", help = "who explores: " .. table.concat(course.explorers, ", ") .. "; all; with several, differences to the first" },
   { "--sonar NAME", default = "sonar", values = { "sonar", "nomad", "real" }, help = "what is heard: see lua/labyrinth_course.lua" },
-  { "--far M", default = 4.0, help = "random goals are so far by the way at least" },
-  { "--resolution M", default = 0.05, help = "metres per pixel of a plain image" },
-  { "--limit S", default = 3000.0, help = "simulated seconds of a run" },
-  { "--json", help = "one JSON object instead of text" },
+  { "--drift NAME", default = "none", values = { "none", "good", "poor" }, help = "errors of the odometry" },
+  { "--far M", default = 4.0, least = 0, help = "random goals are so far by the way at least" },
+  { "--through PLACES", default = "any", values = { "any", "doors" }, help = "doors: the shortest way between random places is narrower than --wide somewhere" },
+  { "--wide M", default = 1.3, above = 0, help = "a door is narrower than this" },
+  { "--resolution M", default = 0.05, above = 0, help = "metres per pixel of a plain image" },
+  { "--limit S", default = 3000.0, above = 0, help = "simulated seconds of a run" },
+  { "--jobs N", default = 0, least = 0, most = 1024, help = "drives at a time; 0: one per core" },
+  { "--json", help = "one JSON object per explorer instead of text" },
   { "--out DIR", default = "out", help = "folder of the pictures" },
   { "MAP", default = "worlds/office.toml", help = "map file" },
   { "GOAL", default = "random", help = "X,Y or random" },
 }
-local course = require "meander.labyrinth_course"
+local explorers = course.named(options.explorer, {}, report.usage_error)
 
 local function point(text, what)
   local x, y = text:match("^(%-?[%d.]+),(%-?[%d.]+)$")
   if not (tonumber(x) and tonumber(y)) then report.usage_error(what .. ": X,Y expected, got '" .. text .. "'") end
   return { tonumber(x), tonumber(y) }
 end
+local start = options.start ~= "" and point(options.start, "--start")
+local goal = options.GOAL ~= "random" and point(options.GOAL, "GOAL")
 
-local world = meander.world.import(options.MAP, { resolution = options.resolution })
-local map = meander.planning.map { world = world, resolution = 0.05 }
+local world = report.try(report.failure, nil, meander.world.import, options.MAP, { resolution = options.resolution })
+local map = course.plan_of(world)
 local radius = course.robot.body.radius
 
--- The way of one who knows the plan; nil: there is none.
-local function shortest(start, goal)
-  local ok, plan = pcall(meander.planning.plan, { map = map, start = start, target = goal, robot_radius = radius + 0.05 })
+-- Length of the way of one who knows the plan; nil: there is none.
+local function shortest(from, to, clear)
+  local ok, plan = pcall(meander.planning.plan, { map = map, start = from, target = to, robot_radius = clear })
   return ok and plan and plan.measures.length or nil
 end
 
--- A sequence of numbers that depends on the seed alone (Lehmer's generator).
-local state = (options.seed * 7919 + 12345) % 2147483646 + 1
-local function share()
-  state = state * 48271 % 2147483647
-  return state / 2147483647
-end
+local random = require "meander.stream"(options.seed)
 local function somewhere()
   local low, high = world.bounds[1], world.bounds[2]
-  return { low.x + share() * (high.x - low.x), low.y + share() * (high.y - low.y) }
+  return { low.x + random() * (high.x - low.x), low.y + random() * (high.y - low.y) }
+end
+
+-- Both ends have room, but the shortest way leads through a place that is narrower than a door may be wide.
+local function through_door(from, to, length)
+  local wide = options.wide / 2
+  if not (shortest(from, from, wide) and shortest(to, to, wide)) then return false end
+  local around = shortest(from, to, wide)
+  return not around or around > 1.2 * length
 end
 
 local pairs_of = {}
-if options.GOAL == "random" then
-  for _ = 1, 2000 do
+local function try(from, to)
+  local length = shortest(from, to, radius + 0.05)
+  if length then pairs_of[#pairs_of + 1] = { start = from, goal = to, length = length } end
+  return length
+end
+if goal then
+  if not try(start or { world.start.x, world.start.y }, goal) then report.failure("no way leads from the start to the goal") end
+else
+  for _ = 1, 400 * options.pairs do
     if #pairs_of == options.pairs then break end
-    local start, goal = somewhere(), somewhere()
-    local length = shortest(start, goal)
-    if length and length >= options.far then pairs_of[#pairs_of + 1] = { start = start, goal = goal, length = length } end
+    local from, to = start or somewhere(), somewhere()
+    local length = try(from, to)
+    if length and (length < options.far or options.through == "doors" and not through_door(from, to, length)) then
+      pairs_of[#pairs_of] = nil
+    end
   end
-else
-  local start = options.start ~= "" and point(options.start, "--start") or { world.start.x, world.start.y }
-  local goal = point(options.GOAL, "GOAL")
-  local length = shortest(start, goal)
-  if not length then report.failure("no way leads from the start to the goal") end
-  pairs_of[1] = { start = start, goal = goal, length = length }
+  if #pairs_of == 0 then report.failure("no starts and goals found that are " .. options.far .. " m apart") end
 end
-if #pairs_of == 0 then report.failure("no starts and goals found that are " .. options.far .. " m apart") end
 
-local function drive(index)
+local function drive(name, index)
   local pair = pairs_of[index]
-  local explorer = meander.indicator.sonar_explorer(course.explorer {
-    goal = pair.goal, sensor = options.sonar, strategy = options.explorer,
+  local explorer = name ~= "oracle" and meander.indicator.sonar_explorer(course.explorer {
+    goal = pair.goal, sensor = options.sonar, name = name, seed = options.seed,
   })
-  course.run {
-    world = world, explorer = explorer, seed = options.seed * 100 + index, sensor = options.sonar, limit = options.limit,
-    start = { pair.start[1], pair.start[2], 0 },
+  local result = course.drive {
+    world = world, explorer = explorer or nil, plan = map, goal = pair.goal, seed = options.seed * 100 + index,
+    sensor = options.sonar, drift = options.drift, limit = options.limit, start = { pair.start[1], pair.start[2], 0 },
   }
-  local picture = report.path(options, ("explore_map_%d.svg"):format(index))
-  meander.render.save(explorer:graph():over(world), picture)
-  return { ending = explorer.ending, ratio = explorer.walked / pair.length, walked = explorer.walked, picture = picture }
+  result.ratio = result.way / pair.length
+  result.arrived = result.ending == "reached" and not result.false_arrival
+  if explorer then
+    result.picture = report.path(options, ("explore_map_%s_%d.svg"):format(name, index))
+    meander.render.save(explorer:graph():over(world), result.picture)
+  end
+  return result
 end
 
-local reached, ratios = 0, {}
-for i, pair in ipairs(pairs_of) do
-  local result = drive(i)
-  if result.ending == "reached" then
-    reached = reached + 1
-    ratios[#ratios + 1] = result.ratio
+local function rounded(x) return x == x and tonumber(("%.4f"):format(x)) or x end
+local nan = 0 / 0
+
+local indices = {}
+for i = 1, #pairs_of do indices[i] = i end
+local function drives(name)
+  local results = {}
+  local all = meander.study.trials { trial = function(i) return drive(name, i) end, seeds = indices, jobs = options.jobs }
+  for i, one in ipairs(all) do
+    if not one.ok then report.failure("pair " .. i .. ": " .. one.error) end
+    results[i] = one.value
   end
-  if not options.json then
-    print(("(%.1f, %.1f) to (%.1f, %.1f): %s after %.1f m, %.2f x the shortest way; %s"):format(
-      pair.start[1], pair.start[2], pair.goal[1], pair.goal[2], result.ending == "driving" and "time" or result.ending,
-      result.walked, result.ratio, result.picture))
-  end
+  return results
 end
-local median = #ratios > 0 and meander.study.median(ratios) or 0 / 0
-if options.json then
-  print(json.encode({ map = options.MAP, pairs = #pairs_of, reached = reached, ratio_median = median }, { "map", "pairs", "reached", "ratio_median" }))
-else
-  print(("%d of %d reached, median %.2f x the shortest way"):format(reached, #pairs_of, median))
+
+local function summary(name, results)
+  local line = {
+    map = options.MAP, pairs = #pairs_of, reached = 0, ratio_median = nan, ratio_interval = { nan, nan }, explorer = name,
+    false_arrival = 0, false_unreachable = 0, contacts = 0, fault_contacts = 0,
+    causes = { time = 0, trapped = 0, budget = 0, no_passable_direction = 0, false_arrival = 0 },
+  }
+  local ratios = {}
+  for _, result in ipairs(results) do
+    line.contacts, line.fault_contacts = line.contacts + result.contacts, line.fault_contacts + result.fault_contacts
+    if result.arrived then
+      line.reached = line.reached + 1
+      ratios[#ratios + 1] = result.ratio
+    else
+      local cause = result.false_arrival and "false_arrival" or result.ending
+      line.causes[cause] = line.causes[cause] + 1
+    end
+  end
+  line.false_arrival, line.false_unreachable = line.causes.false_arrival, line.causes.no_passable_direction
+  if #ratios > 0 then
+    local middle, low, high = meander.study.bootstrap_median(ratios)
+    line.ratio_median, line.ratio_interval = rounded(middle), { rounded(low), rounded(high) }
+  end
+  return line
+end
+
+local function tell(line, results)
+  for i, result in ipairs(results) do
+    local pair = pairs_of[i]
+    print(("(%.1f, %.1f) to (%.1f, %.1f): %s after %.1f m, %.2f x the shortest way%s%s"):format(
+      pair.start[1], pair.start[2], pair.goal[1], pair.goal[2], result.false_arrival and "not where it says" or result.ending,
+      result.way, result.ratio, result.picture and "; " .. result.picture or "", result.arrived and "" or "; " .. result.reason))
+  end
+  local share, low, high = meander.study.wilson(line.reached, line.pairs)
+  print(("%s: %d of %d reached (%.1f %%, 95 %% interval %.1f to %.1f), median %.2f (%.2f to %.2f) x the shortest way; contacts %d, by its own motion %d"):format(
+    line.explorer, line.reached, line.pairs, 100 * share, 100 * low, 100 * high, line.ratio_median, line.ratio_interval[1],
+    line.ratio_interval[2], line.contacts, line.fault_contacts))
+end
+
+-- Where both arrived: mean of the ways' difference over the shortest, its interval, how many pairs.
+local function compare(first, second)
+  local a, b = {}, {}
+  for i = 1, #pairs_of do
+    if first[i].arrived and second[i].arrived then a[#a + 1], b[#b + 1] = first[i].ratio, second[i].ratio end
+  end
+  if #a == 0 then return end
+  local difference, low, high = meander.study.compare(b, a)
+  return rounded(difference), { rounded(low), rounded(high) }, #a
+end
+
+local keys = {
+  "map", "pairs", "reached", "ratio_median", "ratio_interval", "explorer", "false_arrival", "false_unreachable", "contacts",
+  "fault_contacts", "causes",
+}
+local first
+for _, name in ipairs(explorers) do
+  local results = drives(name)
+  local line, more = summary(name, results), table.move(keys, 1, #keys, 1, {})
+  if first then
+    line.ratio_more, line.ratio_more_interval, line.paired = compare(first, results)
+    table.move({ "ratio_more", "ratio_more_interval", "paired" }, 1, line.paired and 3 or 0, #more + 1, more)
+  end
+  if options.json then
+    print(json.encode(line, more))
+  else
+    tell(line, results)
+    if line.paired then
+      print(("  %+.2f (%.2f to %.2f) against %s where both arrived (%d)"):format(
+        line.ratio_more, line.ratio_more_interval[1], line.ratio_more_interval[2], explorers[1], line.paired))
+    end
+  end
+  first = first or results
 end

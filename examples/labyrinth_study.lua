@@ -6,199 +6,301 @@
 --
 --   ./meander examples/labyrinth_study.lua --kind mixed --size 20 --loops 0.05 --seeds 100
 --   ./meander examples/labyrinth_study.lua --size 10 --rules literal --seeds 100
---   ./meander examples/labyrinth_study.lua --size 20 --explorer tremaux --seeds 100
+--   ./meander examples/labyrinth_study.lua --size 20 --explorer indicator,tremaux,dstar_lite --seeds 100
 --   ./meander examples/labyrinth_study.lua --size 20 --loops 0.1 --goal walled --seeds 100
---   ./meander examples/labyrinth_study.lua --sensor sonar --loops 0.08 --seeds 40 --runs 3
---   ./meander examples/labyrinth_study.lua --sensor sonar --loops 0.08 --seeds 40 --runs 3 --explorer frontier
+--   ./meander examples/labyrinth_study.lua --sensor sonar --loops 0.08 --seeds 40
+--   ./meander examples/labyrinth_study.lua --sensor sonar --loops 0.08 --seeds 40 --runs 1 --explorer all
+local course = require "meander.labyrinth_course"
 local json = require "meander.json"
 local report = require "meander.report"
 
 local options = require "meander.arguments" {
   about = "lets explorers explore labyrinths",
   { "--kind NAME", default = "mixed", values = { "backtracker", "prim", "mixed" }, help = "how the labyrinth grows" },
-  { "--size N", default = 10, help = "cells along each side" },
-  { "--loops P", default = 0.0, help = "share of inner walls that are taken away" },
-  { "--seeds N", default = 20, help = "labyrinths" },
-  { "--first-seed N", default = 2001, help = "seed of the first one" },
+  { "--size N", default = 10, least = 2, most = 200, help = "cells along each side" },
+  { "--loops P", default = 0.0, least = 0, most = 1, help = "share of inner walls that are taken away" },
+  { "--rooms N", default = 0, least = 0, most = 1000, help = "so many times the walls inside a room are taken away" },
+  { "--corridor M", default = 1.0, least = 0.5, most = 10, help = "width of the corridors, with sonars" },
+  { "--jitter X", default = 0.0, least = 0, most = 0.25, help = "walls are crooked by so many widths, with sonars" },
+  { "--seeds N", default = 20, least = 1, most = 100000, help = "labyrinths" },
+  { "--first-seed N", default = 2001, least = 0, help = "seed of the first one" },
   { "--sensor NAME", default = "graph", values = { "graph", "sonar", "nomad", "real" }, help = "what the robot perceives by" },
+  { "--drift NAME", default = "none", values = { "none", "good", "poor" }, help = "errors of the odometry, with sonars" },
+  { "--perception NAME", default = "map", values = { "map", "profile" }, help = "what ports are read off, with sonars" },
   { "--rules NAME", default = "optimistic", values = { "literal", "repaired", "optimistic" }, help = "how the explorer reads the paper" },
-  { "--explorer NAME", default = "indicator", values = { "indicator", "tremaux", "depth_first", "nearest", "random_walk", "free_space", "frontier", "goal_frontier" }, help = "who decides" },
-  { "--eps X", default = 0.0, help = "stop when nothing can shorten the route by more" },
-  { "--limit S", default = 4000.0, help = "simulated seconds of a run, with sonars" },
-  { "--runs N", default = 60, help = "at most so many runs until the route is proven" },
+  { "--explorer NAME,...", default = "indicator", help = "who decides: " .. table.concat(course.explorers, ", ") .. "; all; with several, differences to the first" },
+  { "--eps X", default = 0.0, least = 0, most = 1, help = "stop when nothing can shorten the route by more" },
+  { "--limit S", default = 4000.0, above = 0, help = "simulated seconds of a run, with sonars" },
+  { "--runs N", default = 60, least = 1, most = 100000, help = "at most so many runs until the route is proven; with sonars at most 3" },
   { "--goal STATE", default = "open", values = { "open", "walled" }, help = "walled: no way leads to it" },
-  { "--json", help = "one JSON object instead of text" },
+  { "--jobs N", default = 0, least = 0, most = 1024, help = "labyrinths at a time; 0: one per core" },
+  { "--json", help = "one JSON object per explorer instead of text" },
   { "--out DIR", default = "out", help = "not used: nothing is drawn" },
 }
-if options.seeds < 1 then report.usage_error("--seeds: at least 1 expected, got " .. options.seeds) end
-if options.size < 2 or options.size > 200 then report.usage_error("--size: 2 to 200 expected, got " .. options.size) end
-if options.loops < 0 or options.loops > 1 then report.usage_error("--loops: 0 to 1 expected, got " .. options.loops) end
-local on_map = { free_space = true, frontier = true, goal_frontier = true }
-if options.sensor == "graph" and on_map[options.explorer] then
-  report.usage_error("--explorer " .. options.explorer .. ": needs a map, and that a robot with --sensor sonar")
-end
-if options.runs < 3 and options.sensor == "graph" then report.usage_error("--runs: at least 3 expected, got " .. options.runs) end
+local by_graph = options.sensor == "graph"
+local absent = by_graph and { oracle = "is 1 without sensors; --sensor sonar" } or {}
+local explorers = course.named(options.explorer, absent, report.usage_error)
+if by_graph and options.runs < 3 then report.usage_error("--runs: at least 3 expected, got " .. options.runs) end
 
-if options.runs < 1 then report.usage_error("--runs: at least 1 expected, got " .. options.runs) end
-
-local learns = options.explorer == "indicator" and options.rules ~= "literal"
-
--- One labyrinth, from the first run to the proof: a table of numbers.
-local function trial(seed)
-  local cells = meander.indicator.labyrinth { kind = options.kind, size = options.size, loops = options.loops, seed = seed }
+local function labyrinth(seed)
+  local cells = meander.indicator.labyrinth {
+    kind = options.kind, size = options.size, loops = options.loops, rooms = options.rooms, seed = seed,
+  }
   if options.goal == "walled" then
     for _, side in ipairs { "west", "south" } do cells:set_open(options.size, options.size, side, false) end
   end
-  local shortest = cells:shortest()
+  return cells
+end
+
+-- Who explores the cells: a function that makes a run, one that says whether the shortest way is proven, and the explorer,
+-- where it has a graph.
+local function walker(name, cells, seed)
+  if name == "dstar_lite" then
+    local planner = cells:planner()
+    return function() return planner:walk(cells) end, function() return planner.proven end
+  end
   local explorer = meander.indicator.explorer {
-    goal = cells.goal, explorer = options.explorer, rules = options.rules, eps = options.eps, seed = seed,
+    goal = cells.goal, explorer = name == "frontier" and "nearest" or name, rules = options.rules, eps = options.eps, seed = seed,
   }
+  return function() return cells:explore(explorer) end, function() return explorer.state.proven end, explorer
+end
+
+-- One labyrinth, from the first run to the proof: a table of numbers.
+local function walk(name, seed)
+  local cells = labyrinth(seed)
+  local shortest = cells:shortest()
+  local run_once, proven, explorer = walker(name, cells, seed)
+  local learns = name == "dstar_lite" or name == "indicator" and options.rules ~= "literal"
   local result = { shortest = shortest or false, failed = false, runs = {}, decisions = 0 }
   local began = os.clock()
   local last
   for run = 1, options.runs do
-    last = cells:explore(explorer)
+    last = run_once()
     result.runs[run] = last.length
     result.decisions = result.decisions + last.decisions
     local arrived = last.last.x == cells.goal.x and last.last.y == cells.goal.y
     result.false_arrival = result.false_arrival or (last.ending == "reached" and not arrived)
-    if last.ending ~= "reached" then
-      result.failed = true
-      break
-    end
-    if not result.proof and explorer.state.proven then result.proof = run end
+    result.failed = last.ending ~= "reached"
+    if result.failed then break end
+    if not result.proof and proven() then result.proof = run end
     if run >= 3 and (result.proof or not learns) then break end
   end
   result.us = (os.clock() - began) * 1e6 / result.decisions
-  result.ending, result.coverage = last.ending, last.coverage
-  local _, length = explorer:route()
-  result.optimal = shortest ~= nil and length ~= nil and math.abs(length - shortest) < 1e-6
-  result.indicators, result.corridors = #explorer:graph(), 0
-  for _, link in ipairs(explorer:graph().links) do result.corridors = result.corridors + link.length end
+  result.ending, result.reason, result.coverage = last.ending, last.reason, last.coverage
+  result.corridors = 0
+  if explorer then
+    local _, length = explorer:route()
+    result.optimal = shortest ~= nil and length ~= nil and math.abs(length - shortest) < 1e-6
+    result.indicators = #explorer:graph()
+    for _, link in ipairs(explorer:graph().links) do result.corridors = result.corridors + link.length end
+  else
+    result.optimal = last.length == shortest
+  end
   return result
 end
 
--- The same by sonar: what the robot drove, and where it truly is in the end.
-local function drive(seed)
-  local course = require "meander.labyrinth_course"
-  local cells = meander.indicator.labyrinth { kind = options.kind, size = options.size, loops = options.loops, seed = seed }
-  if options.goal == "walled" then
-    for _, side in ipairs { "west", "south" } do cells:set_open(options.size, options.size, side, false) end
-  end
-  local world, shortest = cells:world(), cells:shortest()
-  local map_strategy = on_map[options.explorer]
-  local explorer = meander.indicator.sonar_explorer(course.explorer {
-    goal = cells.goal, sensor = options.sensor, rules = options.rules, eps = options.eps, seed = seed,
-    strategy = map_strategy and options.explorer or "indicators", explorer = map_strategy and "indicator" or options.explorer,
-  })
-  local result = { shortest = shortest or false, failed = false, runs = {}, contacts = 0, blocked = 0, looks = 0 }
-  local began, last = os.clock()
-  for run = 1, math.min(options.runs, 3) do
-    local sim
-    last, sim = course.run { world = world, explorer = explorer, seed = 10 * seed + run, sensor = options.sensor, limit = options.limit }
-    local pose = sim.robots[1].pose
-    local off = math.sqrt((pose.x - cells.goal.x) ^ 2 + (pose.y - cells.goal.y) ^ 2)
-    result.runs[run] = explorer.walked
-    result.contacts = result.contacts + last.contacts
-    result.blocked, result.looks = result.blocked + explorer.blocked, result.looks + explorer.second_looks
-    result.ending = explorer.ending
-    if explorer.ending == "driving" then result.ending = "time" end
-    result.false_arrival = result.false_arrival or (result.ending == "reached" and off > 0.5)
-    if result.ending ~= "reached" then
-      result.failed = true
-      break
-    end
-    if not result.proof and explorer.proven then result.proof = run end
-  end
-  result.us = (os.clock() - began) * 1e6 / math.max(explorer.decisions, 1)
-  local length = explorer:route()
-  result.optimal = shortest ~= nil and length ~= nil and length < 1.05 * shortest
-  result.indicators, result.corridors = #explorer:graph(), 0
+-- Metres of corridors that lead from cell to cell.
+local function corridors(cells)
+  local passages = 0
   for y = 1, options.size do
     for x = 1, options.size do
-      for _, side in ipairs { "east", "north" } do
-        if cells:open(x, y, side) then result.corridors = result.corridors + 1 end
-      end
+      for _, side in ipairs { "east", "north" } do passages = passages + (cells:open(x, y, side) and 1 or 0) end
     end
   end
+  return passages * options.corridor
+end
+
+-- The same by sonar: what the robot drove, and where it truly is in the end.
+local function drive(name, seed)
+  local cells, width = labyrinth(seed), options.corridor
+  local world = cells:world { corridor = width, jitter = options.jitter, seed = seed }
+  local shortest = cells:shortest()
+  local goal = { cells.goal.x * width, cells.goal.y * width }
+  local explorer = name ~= "oracle" and meander.indicator.sonar_explorer(course.explorer {
+    name = name, goal = goal, sensor = options.sensor, perception = options.perception, rules = options.rules,
+    eps = options.eps, seed = seed,
+  })
+  local result = { shortest = shortest and shortest * width or false, failed = false, runs = {} }
+  for _, key in ipairs { "contacts", "fault_contacts", "blocked", "looks", "cpu" } do result[key] = 0 end
+  for run = 1, math.min(options.runs, 3) do
+    local last = course.drive {
+      world = world, explorer = explorer or nil, plan = not explorer and course.plan_of(world), goal = goal,
+      seed = 10 * seed + run, sensor = options.sensor, drift = options.drift, limit = options.limit,
+    }
+    result.runs[run] = last.way
+    for _, key in ipairs { "contacts", "fault_contacts", "cpu" } do result[key] = result[key] + last[key] end
+    result.ending, result.reason = last.ending, last.reason
+    result.false_arrival = result.false_arrival or last.false_arrival
+    result.failed = last.ending ~= "reached" or last.false_arrival
+    if explorer then result.blocked, result.looks = result.blocked + explorer.blocked, result.looks + explorer.second_looks end
+    if result.failed then break end
+    if not result.proof and explorer and explorer.proven then result.proof = run end
+  end
+  result.corridors = corridors(cells)
+  if not explorer then return result end
+  result.us = result.cpu * 1e6 / math.max(explorer.decisions, 1)
+  local length = explorer:route()
+  if length and shortest then result.optimal = length < 1.05 * result.shortest end
+  result.indicators = #explorer:graph() > 0 and #explorer:graph() or nil
   return result
 end
 
 local seeds = {}
 for i = 1, options.seeds do seeds[i] = options.first_seed + i - 1 end
-local results = {}
-for i, one in ipairs(meander.study.trials { trial = options.sensor == "graph" and trial or drive, seeds = seeds }) do
-  if not one.ok then report.failure("seed " .. one.seed .. ": " .. one.error) end
-  results[i] = one.value
+local function trials(name)
+  local results = {}
+  local trial = by_graph and walk or drive
+  local all = meander.study.trials { trial = function(seed) return trial(name, seed) end, seeds = seeds, jobs = options.jobs }
+  for i, one in ipairs(all) do
+    if not one.ok then report.failure("seed " .. one.seed .. ": " .. one.error) end
+    results[i] = one.value
+  end
+  return results
 end
 
-local function count(test)
-  local n = 0
-  for _, result in ipairs(results) do n = n + (test(result) and 1 or 0) end
-  return n
-end
--- Mean over the labyrinths for which `value` gives a number; no number: null in JSON.
-local function mean(value)
+local function rounded(x) return x == x and tonumber(("%.4f"):format(x)) or x end
+local nan = 0 / 0
+
+-- Numbers of the labyrinths for which `value` gives one: mean and ends of its interval; no number: null in JSON.
+local function mean(results, value)
   local list = {}
   for _, result in ipairs(results) do list[#list + 1] = value(result) or nil end
-  return #list > 0 and meander.study.mean(list) or 0 / 0
+  if #list == 0 then return nan, nan, nan end
+  local middle, low, high = meander.study.bootstrap_mean(list)
+  return rounded(middle), rounded(low), rounded(high)
 end
-local function run_ratio(run)
-  return mean(function(r) return r.shortest and not r.failed and r.runs[run] and r.runs[run] / r.shortest end)
+local function ratio(result, run)
+  return result.shortest and not result.failed and result.runs[run] and result.runs[run] / result.shortest
 end
-local function rounded(x) return x == x and tonumber(("%.4f"):format(x)) or x end
 
-local us = {}
-for i, result in ipairs(results) do us[i] = result.us end
-local line = {
-  kind = options.kind, size = options.size, loops = options.loops, sensor = options.sensor, rules = options.rules,
-  explorer = options.explorer, n = #results,
-  failed = count(function(r) return r.shortest and r.failed end),
-  false_unreachable = count(function(r) return r.shortest and r.ending == "no_passable_direction" end),
-  false_arrival = count(function(r) return r.false_arrival end),
-  r1 = rounded(run_ratio(1)), r2 = rounded(run_ratio(2)), r3 = rounded(run_ratio(3)),
-  runs_to_proof = rounded(mean(function(r) return r.proof end)),
-  optimal = count(function(r) return r.optimal end) / #results,
-  indicators = rounded(mean(function(r) return r.indicators end)),
-  decision_us_median = rounded(meander.study.median(us)),
-  stated = count(function(r) return not r.shortest and r.ending == "no_passable_direction" end),
-  coverage = rounded(mean(function(r) return r.coverage end)),
-  walked_over_corridors = rounded(mean(function(r) return not r.shortest and r.runs[1] / r.corridors end)),
-}
 local keys = {
   "kind", "size", "loops", "sensor", "rules", "explorer", "n", "failed", "false_unreachable", "false_arrival", "r1", "r2",
-  "r3", "runs_to_proof", "optimal", "indicators", "decision_us_median",
+  "r3", "runs_to_proof", "optimal", "indicators", "decision_us_median", "r1_interval", "r2_interval", "r3_interval", "causes",
 }
-if options.sensor ~= "graph" then
-  line.causes = { time = 0, trapped = 0, budget = 0, no_passable_direction = 0 }
-  for _, result in ipairs(results) do
-    if result.shortest and result.failed then line.causes[result.ending] = line.causes[result.ending] + 1 end
+if not by_graph then
+  table.move({ "contacts", "fault_contacts", "blocked", "looks", "rooms", "corridor", "drift", "perception" }, 1, 8, #keys + 1, keys)
+end
+if options.goal == "walled" then table.move({ "stated", "coverage", "walked_over_corridors" }, 1, 3, #keys + 1, keys) end
+
+local function summary(name, results)
+  local function count(test)
+    local n = 0
+    for _, result in ipairs(results) do n = n + (test(result) and 1 or 0) end
+    return n
   end
-  for _, name in ipairs { "contacts", "blocked", "looks" } do line[name] = rounded(mean(function(r) return r[name] end)) end
-  table.move({ "causes", "contacts", "blocked", "looks" }, 1, 4, #keys + 1, keys)
-end
-if options.goal == "walled" then
-  table.move({ "stated", "coverage", "walked_over_corridors" }, 1, 3, #keys + 1, keys)
-end
-if options.json then
-  print(json.encode(line, keys))
-  return
+  local function average(key) return (mean(results, function(r) return r[key] end)) end
+  local us = {}
+  for _, result in ipairs(results) do us[#us + 1] = result.us end
+  local line = {
+    kind = options.kind, size = options.size, loops = options.loops, sensor = options.sensor, rules = options.rules,
+    explorer = name, n = #results,
+    failed = count(function(r) return r.shortest and r.failed end),
+    false_unreachable = count(function(r) return r.shortest and r.ending == "no_passable_direction" end),
+    false_arrival = count(function(r) return r.false_arrival end),
+    runs_to_proof = average "proof",
+    optimal = (mean(results, function(r) return r.optimal ~= nil and (r.optimal and 1.0 or 0.0) end)),
+    indicators = average "indicators",
+    decision_us_median = #us > 0 and rounded(meander.study.median(us)) or nan,
+    causes = { time = 0, trapped = 0, budget = 0, no_passable_direction = 0, false_arrival = 0 },
+    rooms = options.rooms, corridor = options.corridor, drift = options.drift, perception = options.perception,
+    stated = count(function(r) return not r.shortest and r.ending == "no_passable_direction" end),
+    coverage = average "coverage",
+    walked_over_corridors = (mean(results, function(r) return not r.shortest and r.runs[1] / r.corridors end)),
+  }
+  for _, key in ipairs { "contacts", "fault_contacts", "blocked", "looks" } do line[key] = average(key) end
+  for run = 1, 3 do
+    local low, high
+    line["r" .. run], low, high = mean(results, function(r) return ratio(r, run) end)
+    line["r" .. run .. "_interval"] = { low, high }
+  end
+  for _, result in ipairs(results) do
+    if result.shortest and result.failed then
+      local cause = result.false_arrival and "false_arrival" or result.ending
+      line.causes[cause] = line.causes[cause] + 1
+    end
+  end
+  return line
 end
 
-local name = options.explorer == "indicator" and options.rules .. " rules" or options.explorer
-print(("%d %s labyrinths of %d x %d cells, loops %g: %s"):format(line.n, options.kind, options.size, options.size, options.loops, name))
-if options.goal == "walled" then
-  local share, low, high = meander.study.wilson(line.stated, line.n)
-  print(("  unreachable, and stated so in %d of %d (%.1f %%, 95 %% interval %.1f to %.1f)"):format(
-    line.stated, line.n, 100 * share, 100 * low, 100 * high))
-  print(("  coverage %.4f of the cells in reach (nan: not counted), walked %.2f x the length of all corridors"):format(
-    line.coverage, line.walked_over_corridors))
-else
-  local share, low, high = meander.study.wilson(line.n - line.failed, line.n)
-  print(("  reached   in %d of %d (%.1f %%, 95 %% interval %.1f to %.1f)"):format(
-    line.n - line.failed, line.n, 100 * share, 100 * low, 100 * high))
-  print(("  false     unreachable %d, arrived %d"):format(line.false_unreachable, line.false_arrival))
-  print(("  way       over the shortest, run 1 %.2f, run 2 %.2f, run 3 %.2f"):format(line.r1, line.r2, line.r3))
-  print(("  route     the shortest in the end in %.1f %%; proven after %.1f runs"):format(100 * line.optimal, line.runs_to_proof))
+local function share(n, of)
+  local part, low, high = meander.study.wilson(n, of)
+  return ("%d of %d (%.1f %%, 95 %% interval %.1f to %.1f)"):format(n, of, 100 * part, 100 * low, 100 * high)
 end
-print(("  graph     %.1f indicators; %.0f us per decision, walking included"):format(line.indicators, line.decision_us_median))
+
+-- Figures that were not counted for this explorer stay away.
+local function known(text, ...)
+  for i = 1, select("#", ...) do
+    local x = select(i, ...)
+    if x ~= x then return "" end
+  end
+  return text:format(...)
+end
+
+local function tell(line, results)
+  local name = line.explorer == "indicator" and options.rules .. " rules" or line.explorer
+  print(("%d %s labyrinths of %d x %d cells, loops %g: %s"):format(line.n, options.kind, options.size, options.size, options.loops, name))
+  if options.goal == "walled" then
+    print("  unreachable, and stated so in " .. share(line.stated, line.n))
+    print("  walked    " .. known("%.2f x the length of all corridors", line.walked_over_corridors)
+      .. known("; on %.4f of the cells in reach", line.coverage))
+  else
+    print("  reached   in " .. share(line.n - line.failed, line.n))
+    for i, result in ipairs(results) do
+      if result.failed then
+        local cause = result.false_arrival and "it is not where it says" or result.ending
+        print(("  failed    seed %d: %s; %s"):format(seeds[i], cause, result.reason))
+      end
+    end
+    print(("  false     unreachable %d, arrived %d"):format(line.false_unreachable, line.false_arrival))
+    local runs = {}
+    for run = 1, 3 do
+      local ends = line[("r%d_interval"):format(run)]
+      runs[run] = known("run %d %.2f (%.2f to %.2f)", run, line["r" .. run], ends[1], ends[2])
+    end
+    print("  way       over the shortest, " .. table.concat(runs, "  "))
+    print("  route     " .. known("the shortest in the end in %.1f %%; ", 100 * line.optimal)
+      .. (line.runs_to_proof == line.runs_to_proof and ("proven after %.1f runs"):format(line.runs_to_proof) or "none proven"))
+  end
+  if not by_graph then
+    print(("  contacts  %.2f, by its own motion %.2f;%s"):format(line.contacts, line.fault_contacts,
+      known(" ways found blocked %.1f, second looks %.1f", line.blocked, line.looks)))
+  end
+  local told = known("%.1f indicators; ", line.indicators)
+    .. known("%.0f us per decision, " .. (by_graph and "walking" or "map and navigator") .. " included", line.decision_us_median)
+  if told ~= "" then print("  graph     " .. told) end
+end
+
+-- The first runs of two explorers where both arrived.
+local function compare(first, second)
+  local a, b = {}, {}
+  for i = 1, #seeds do
+    local x, y = ratio(first[i], 1), ratio(second[i], 1)
+    if x and y then a[#a + 1], b[#b + 1] = x, y end
+  end
+  if #a == 0 then return end
+  local difference, low, high, longer, shorter = meander.study.compare(b, a)
+  return difference, low, high, #a, longer, shorter
+end
+
+local first
+for _, name in ipairs(explorers) do
+  local results = trials(name)
+  local line = summary(name, results)
+  local difference, low, high, n, longer, shorter
+  if first then difference, low, high, n, longer, shorter = compare(first, results) end
+  if options.json then
+    local more = table.move(keys, 1, #keys, 1, {})
+    if difference then
+      line.r1_more, line.r1_more_interval, line.paired = rounded(difference), { rounded(low), rounded(high) }, n
+      table.move({ "r1_more", "r1_more_interval", "paired" }, 1, 3, #more + 1, more)
+    end
+    print(json.encode(line, more))
+  else
+    tell(line, results)
+    if difference then
+      print(("  run 1     %+.2f (%.2f to %.2f) against %s where both arrived (%d): longer in %d, shorter in %d"):format(
+        difference, low, high, explorers[1], n, longer, shorter))
+    end
+  end
+  first = first or results
+end

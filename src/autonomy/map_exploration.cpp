@@ -7,20 +7,37 @@
 namespace meander {
 namespace {
 
+constexpr int kSpeck = 3;        ///< fewer frontier cells near each other than so many are no frontier
 constexpr double kGivenUp = 30;  ///< evidence for a wall where a frontier was looked at and stayed one
+
+bool is_speck(const ConfigurationSpace& space, Cell cell) {
+  int near = 0;
+  for (int y = cell.y - 2; y <= cell.y + 2; ++y)
+    for (int x = cell.x - 2; x <= cell.x + 2; ++x) near += space.frontier({x, y});
+  return near < kSpeck;
+}
 
 }  // namespace
 
 /// What the others do that the rules are compared with: they see the same map, and keep no graph.
-void SonarExplorer::decide_without_graph() {
+void SonarExplorer::decide_without_graph(bool blocked) {
   if (options_.explorer.budget > 0 && walked_ > options_.explorer.budget)
     return end(Ending::budget, fmt::format("the budget of {:g} m is spent", options_.explorer.budget));
   if (options_.strategy == ExplorationStrategy::dstar_lite) {
     if (!way_by_dstar_lite().empty()) return drive_to(Toward::frontier, goal_);
-  } else if (decide_by_frontier()) {
-    return;
+    return look_again();
   }
-  look_again();
+  if (blocked && toward_ == Toward::frontier) give_up_frontier(aim_);
+  if (!decide_by_frontier()) look_again();
+}
+
+/// It did not get there, or stood there and cannot tell what is beyond.
+void SonarExplorer::give_up_frontier(const Vec2& place) {
+  const ConfigurationSpace& space = map_.space();
+  const Cell cell = space.frame().cell(place);
+  for (const Cell beside :
+       {Cell{cell.x + 1, cell.y}, Cell{cell.x - 1, cell.y}, Cell{cell.x, cell.y + 1}, Cell{cell.x, cell.y - 1}})
+    if (space.known(beside) == Known::nothing) map_.add(beside, kGivenUp);
 }
 
 /// The frontier that is nearest by the way, or by the way and as the crow flies from there to the goal.
@@ -34,7 +51,8 @@ bool SonarExplorer::decide_by_frontier() {
     for (const Cell cell : field_.reached()) {
       const Vec2 there = space.frame().center(cell);
       const double cost = field_.at(cell) + straight_on * (there - goal_).norm();
-      if (cost >= least || !(space.frontier(cell) || cell == space.frame().cell(goal_))) continue;
+      const bool goal = cell == space.frame().cell(goal_);
+      if (cost >= least || !(goal || (space.frontier(cell) && !is_speck(space, cell)))) continue;
       least = cost;
       best = cell;
     }
@@ -44,9 +62,7 @@ bool SonarExplorer::decide_by_frontier() {
       drive_to(*best == space.frame().cell(goal_) ? Toward::goal : Toward::frontier, place);
       return true;
     }
-    for (const Cell beside : {Cell{best->x + 1, best->y}, Cell{best->x - 1, best->y}, Cell{best->x, best->y + 1},
-                              Cell{best->x, best->y - 1}})
-      if (space.known(beside) == Known::nothing) map_.add(beside, kGivenUp);  // it stands there and cannot tell
+    give_up_frontier(place);
   }
 }
 

@@ -140,7 +140,7 @@ void SonarExplorer::decide(bool blocked) {
   if (toward_ == Toward::goal && !blocked && (at_ - goal_).norm() <= options_.arrive &&
       options_.strategy != ExplorationStrategy::indicators)
     return end(Ending::reached, "the goal is reached");
-  if (options_.strategy != ExplorationStrategy::indicators) return decide_without_graph();
+  if (options_.strategy != ExplorationStrategy::indicators) return decide_without_graph(blocked);
   for (int i = 0; i < 20; ++i) {
     Percept percept;
     percept.position = (at_ - goal_).norm() <= options_.arrive ? goal_ : standing();

@@ -114,7 +114,8 @@ class SonarExplorer {
   bool still_worth_it();
   void decide(bool blocked);
   bool follow(const Decision& decision);
-  void decide_without_graph();
+  void decide_without_graph(bool blocked);
+  void give_up_frontier(const Vec2& place);
   bool decide_by_frontier();
   void look_again();
   void drive_to(Toward toward, const Vec2& place);

@@ -5,10 +5,21 @@
 #include <cmath>
 
 #include "base/random.hpp"
+#include "geometry/angle.hpp"
 #include "indicator/exploration_rules.hpp"
 
 namespace meander {
 namespace {
+
+/// The indicator placed last that has an unknown direction.
+std::optional<Intent> depth_first(const Situation& s) {
+  LeastPort least;
+  for_unknown_ports(s, [&](const PortRef& ref, const Port&) {
+    least.offer(s, ref, -static_cast<double>(ref.indicator.slot) * 10 + off_goal(s, ref));
+  });
+  if (!least.best()) return std::nullopt;
+  return Intent{*least.best(), "an unknown direction of the youngest indicator that has one (depth first)"};
+}
 
 /// Trémaux: no passage more than twice; on an indicator that was there already, back at once from a new passage.
 std::optional<Intent> tremaux(const Situation& s) {
@@ -26,17 +37,7 @@ std::optional<Intent> tremaux(const Situation& s) {
       return Intent{*least.best(), passed ? "all passages were taken: back by the one taken once (Tremaux)"
                                           : "a passage that was not taken yet (Tremaux)"};
   }
-  return std::nullopt;
-}
-
-/// The indicator placed last that has an unknown direction.
-std::optional<Intent> depth_first(const Situation& s) {
-  LeastPort least;
-  for_unknown_ports(s, [&](const PortRef& ref, const Port&) {
-    least.offer(s, ref, -static_cast<double>(ref.indicator.slot) * 10 + off_goal(s, ref));
-  });
-  if (!least.best()) return std::nullopt;
-  return Intent{*least.best(), "an unknown direction of the youngest indicator that has one (depth first)"};
+  return depth_first(s);  // indicators that see each other have passages without marks
 }
 
 /// The unknown direction with the shortest way to it.
@@ -59,16 +60,27 @@ std::optional<Intent> goal_frontier(const Situation& s) {
 
 /// Any way out that is not closed. The order in which ports are stored must not matter: the draw is over directions.
 std::optional<Intent> random_walk(const Situation& s) {
-  const std::vector<Port>& ports = s.graph.get(s.at).ports;
-  LeastPort least;
-  for (std::size_t p = 0; p < ports.size(); ++p) {
-    if (ports[p].state == PortState::blocked || ports[p].state == PortState::dead_end) continue;
-    const auto direction = static_cast<std::uint64_t>(std::llround((ports[p].direction + 4) * 1e6));
-    const std::uint64_t word = trial_seed(trial_seed(s.options.seed, s.decision), direction);
-    least.offer(s, {s.at, static_cast<int>(p)}, static_cast<double>(word >> 11));
+  const Indicator& here = s.graph.get(s.at);
+  std::optional<Intent> drawn;
+  std::uint64_t least = ~std::uint64_t{0};
+  const auto draw = [&](const PortRef& target, double direction) {
+    const auto sector = static_cast<std::uint64_t>(std::llround((direction + 4) * 1e6));
+    const std::uint64_t word = trial_seed(trial_seed(s.options.seed, s.decision), sector);
+    if (word >= least) return;
+    least = word;
+    drawn = Intent{target, "any way out (random walk)"};
+  };
+  for (std::size_t p = 0; p < here.ports.size(); ++p)
+    if (here.ports[p].state != PortState::blocked && here.ports[p].state != PortState::dead_end)
+      draw({s.at, static_cast<int>(p)}, here.ports[p].direction);
+  for (const int link : here.links) {  // to indicators in sight
+    const Link& way = s.graph.links()[static_cast<std::size_t>(link)];
+    if (way.a.port >= 0 || way.b.port >= 0) continue;
+    const IndicatorId there = way.a.indicator == s.at ? way.b.indicator : way.a.indicator;
+    const Vec2 on = s.graph.get(there).position - here.position;
+    draw({there}, angle_of(on.y(), on.x()));
   }
-  if (!least.best()) return std::nullopt;
-  return Intent{*least.best(), "any way out (random walk)"};
+  return drawn;
 }
 
 }  // namespace
