@@ -4,46 +4,77 @@
 
 #include <algorithm>
 
+#include "autonomy/unmapped_obstacles.hpp"
+
 namespace meander {
 namespace {
 
+constexpr double kLook = 0.5;  ///< between two looks at what was heard [s]
+/// A new path has so long, or so much way, to show that it leads past what was heard: subgoals that change all the time
+/// lead nowhere, and the navigator would never notice.
+constexpr double kPatience = 12;  // [s]
+constexpr double kWay = 0.5;      // [m]
+
 class PlannedRoute {
  public:
-  PlannedRoute(std::shared_ptr<const PlanningMap> map, std::vector<Vec2> targets, const PlannedRouteOptions& options)
-      : map_(std::move(map)), targets_(std::move(targets)), options_(options) {}
+  PlannedRoute(std::shared_ptr<const PlanningMap> map, std::vector<Vec2> targets, const PlannedRouteOptions& options,
+               const std::optional<Platform>& robot)
+      : map_(std::move(map)), targets_(std::move(targets)), options_(options), robot_(robot) {
+    if (robot_) unmapped_.emplace(*robot_, map_, options_.mapped);
+  }
 
   GuideStep next(const Observation& observation, const NavigatorStep& navigator) {
     const Vec2 at = observation.odometry.pose.position();
+    if (unmapped_) unmapped_->listen(observation);
     if (path_.empty() && !plan(at)) return finished(reason_);
     if (asked_ && navigator.status == NavigatorStatus::arrived && now_ + 1 == path_.size()) return finished("", true);
-    if (asked_ && navigator.status == NavigatorStatus::trapped && !escape(at, navigator.reason))
-      return finished(reason_);
+    watch(at);
+    const bool stuck = asked_ && (navigator.status == NavigatorStatus::trapped || driven_ > allowed_);
+    if (stuck && !escape(at, navigator.reason)) return finished(reason_);
     if (map_->version != version_ && !still_clear() && !plan(at)) return finished(reason_);
+    look(at, observation.time);
     advance(at);
     if (now_ + 1 == path_.size() && (path_.back() - at).norm() <= options_.tolerance) return finished("", true);
     asked_ = true;
     return {.subgoal = subgoal(), .success = false, .reason = {}, .reached = reached_};
   }
 
-  void reset() { *this = PlannedRoute(map_, targets_, options_); }
+  void reset() { *this = PlannedRoute(map_, targets_, options_, robot_); }
 
  private:
-  /// The map with what the robot was trapped before.
-  PlanningMap known() const {
+  /// The map, what was heard beside it, and what the robot was trapped before.
+  PlanningMap known() {
     PlanningMap known = *map_;
     for (const Box& box : traps_) set_solid(known, box, true);
+    if (unmapped_)
+      for (const Vec2& point : unmapped_->points())
+        if (const Cell cell = known.solid.frame.cell(point); known.solid.contains(cell)) known.solid[cell] = 1;
     return known;
   }
 
-  /// With the margin, or without it; at last with no trap but the latest, for it may have been something that moved.
+  /// With all that is known, or with ever less of what is not in the map: it may have moved, or never been there.
   bool plan(const Vec2& at) {
     version_ = map_->version;
-    while (true) {
-      for (const double margin : {options_.margin, 0.0})
-        if (plan_with(known(), at, margin)) return true;
-      if (traps_.size() < 2) return false;
+    do
+      if (plan_by(known(), at)) return true;
+    while (forget());
+    return false;
+  }
+  bool forget() {
+    if (traps_.size() > 1)
       traps_.erase(traps_.begin(), traps_.end() - 1);
-    }
+    else if (unmapped_ && !unmapped_->points().empty())
+      unmapped_->forget();
+    else if (!traps_.empty())
+      traps_.clear();
+    else
+      return false;
+    return true;
+  }
+
+  /// With the margin, or without it.
+  bool plan_by(const PlanningMap& map, const Vec2& at) {
+    return plan_with(map, at, options_.margin) || plan_with(map, at, 0);
   }
 
   bool plan_with(const PlanningMap& map, const Vec2& at, double margin) {
@@ -99,14 +130,17 @@ class PlannedRoute {
   void advance(const Vec2& at) {
     const auto near = [&](std::size_t i) { return (path_[i] - at).norm() <= options_.hand_over; };
     if (asked_ && !near(now_)) return;
-    if (asked_) ++reached_;
+    if (asked_) {
+      ++reached_;
+      reach_ = options_.reach;
+    }
     std::size_t from = now_;
     while (from + 1 < path_.size() && near(from)) ++from;
     double ahead = (path_[from] - at).norm();
     std::size_t best = from;
     for (std::size_t i = from; i < path_.size(); ++i) {
       if (i > from) ahead += (path_[i] - path_[i - 1]).norm();
-      if (ahead > options_.reach) break;
+      if (ahead > reach_) break;
       if (in_sight(at, path_[i])) best = i;
     }
     now_ = best;
@@ -135,13 +169,49 @@ class PlannedRoute {
     return true;
   }
 
-  /// [LM99+] The map shows a way where the navigator found none: a square just ahead of where it came nearest to the
-  /// subgoal is taken as blocked from now on.
+  /// Is something that was heard in the way of the rest of the path? [m]
+  bool beside_path(const Vec2& at) const {
+    for (std::size_t i = now_; i < path_.size(); ++i)
+      if (unmapped_->beside(i > now_ ? path_[i - 1] : at, path_[i], options_.robot_radius)) return true;
+    return false;
+  }
+
+  /// [LM99+] The local navigation gets past what the map does not show, but not out of a dead end between such things:
+  /// a path round what was heard is taken as soon as there is one.
+  void look(const Vec2& at, double time) {
+    if (!unmapped_ || time < look_again_) return;
+    look_again_ = time + kLook;
+    unmapped_->points();
+    if (!beside_path(at) || (time < tried_ + kPatience && (at - tried_at_).norm() < kWay)) return;
+    tried_ = time;
+    tried_at_ = at;
+    plan_by(known(), at);
+  }
+
+  /// [LM99+] Something that nobody has heard yet may stand where the subgoal is: one half as far on the same path
+  /// brings the robot to where it hears it, or past it.
+  bool nearer(const Vec2& at) {
+    const double half = std::min(reach_, (path_[now_] - at).norm()) / 2;
+    if (half < options_.hand_over / 2) return false;
+    reach_ = half;
+    const auto end = path_.begin() + static_cast<std::ptrdiff_t>(now_) + 1;
+    const auto here = std::min_element(path_.begin(), end, [&](const Vec2& a, const Vec2& b) {
+      return (a - at).squaredNorm() < (b - at).squaredNorm();
+    });
+    now_ = static_cast<std::size_t>(here - path_.begin());
+    asked_ = false;
+    return true;
+  }
+
+  /// [LM99+] The map shows a way where the navigator found none, and nothing was heard in it: a square just ahead of
+  /// where it came nearest to the subgoal is taken as blocked from now on.
   bool escape(const Vec2& at, const std::string& why) {
     if (trapped_++ >= options_.replans) {
-      reason_ = fmt::format("trapped, after {} new paths{}{}", options_.replans, why.empty() ? "" : ": ", why);
+      reason_ = fmt::format("trapped at ({:.2f}, {:.2f}), after {} new paths{}{}", at.x(), at.y(), options_.replans,
+                            why.empty() ? "" : ": ", why);
       return false;
     }
+    if (unmapped_ && nearer(at)) return true;
     const Vec2 way = path_[now_] - nearest_;
     const double far = options_.robot_radius + options_.trap_size / 2;
     const Vec2 center = nearest_ + way * (way.norm() > far ? far / way.norm() : 1.0);
@@ -165,9 +235,14 @@ class PlannedRoute {
   std::shared_ptr<const PlanningMap> map_;
   std::vector<Vec2> targets_;
   PlannedRouteOptions options_;
+  std::optional<Platform> robot_;
+  std::optional<UnmappedObstacles> unmapped_;
+  double look_again_ = 0, tried_ = -kPatience;  ///< [s]
+  Vec2 tried_at_{0, 0};
   std::vector<Vec2> path_;  ///< [m]
   std::optional<Clearance> clearance_;
-  std::size_t now_ = 0;  ///< the path's point that is the subgoal
+  double reach_ = options_.reach;  ///< less after a trap [m]
+  std::size_t now_ = 0;            ///< the path's point that is the subgoal
   std::uint64_t version_ = 0;
   std::vector<Box> traps_;
   int trapped_ = 0;  ///< how often
@@ -181,10 +256,11 @@ class PlannedRoute {
 }  // namespace
 
 Guide planned_route(std::shared_ptr<const PlanningMap> map, std::vector<Vec2> targets,
-                    const PlannedRouteOptions& options) {
+                    const PlannedRouteOptions& options, const std::optional<Platform>& robot) {
   validate(options);
+  if (robot) validate(*robot);
   if (targets.empty()) fail("targets: at least one expected, got none");
-  auto route = std::make_shared<PlannedRoute>(std::move(map), std::move(targets), options);
+  auto route = std::make_shared<PlannedRoute>(std::move(map), std::move(targets), options, robot);
   return {.name = "planned_route",
           .next = [route](const Observation& o, const NavigatorStep& n) { return route->next(o, n); },
           .reset = [route] { route->reset(); }};

@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "planning/plan.hpp"
 #include "robot/contracts.hpp"
+#include "robot/platform.hpp"
 
 namespace meander {
 
@@ -18,6 +20,7 @@ struct PlannedRouteOptions {
   double detour = 3;
   int replans = 12;
   double trap_size = 0.5;
+  double mapped = 0.2;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, PlannedRouteOptions>
@@ -36,13 +39,16 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"trap_size", "m", "side of the square that is taken as blocked where a trapped robot came no nearer",
               0.05, 10},
         o.trap_size);
+  visit(Field{"mapped", "m", "what the sonars hear this near to something solid in the map is taken to be that", 0, 10},
+        o.mapped);
 }
 
 /// [LM99] Figure 9: global planning hands landmarks to the local navigation. A path is planned on the map; its points
-/// are the subgoals, each the farthest that is in sight from the robot. When the navigator reports that it is trapped,
-/// what is just ahead is taken as blocked and a new path is planned; when the map has changed so that the rest of the
-/// path is not clear any more, likewise. The guide sees the map it was given, in the odometry frame, and nothing else.
+/// are the subgoals, each the farthest that is in sight from the robot. When the rest of the path is not clear any
+/// more, in the map, which may be edited, or for what the sonars hear beside it, a new path is planned. So it is when
+/// the navigator reports that it is trapped; what is just ahead is taken as blocked then. The guide sees the map it was
+/// given, in the odometry frame, and observations; it hears by the ring of `robot` (none: not at all).
 Guide planned_route(std::shared_ptr<const PlanningMap> map, std::vector<Vec2> targets,
-                    const PlannedRouteOptions& options = {});
+                    const PlannedRouteOptions& options = {}, const std::optional<Platform>& robot = std::nullopt);
 
 }  // namespace meander

@@ -49,9 +49,10 @@ double distance_to_square(const Vec2& from, const Vec2& to, double x, double y) 
   return least;
 }
 
-Clearance::Clearance(const Grid<std::uint8_t>& solid)
+Clearance::Clearance(const Grid<std::uint8_t>& solid, const Work& work)
     : width_(solid.width()), height_(solid.height()), left_(width_, height_), right_(width_, height_) {
   for (int y = 0; y < height_; ++y) {
+    work.poll();
     for (int x = 0, last = -1; x < width_; ++x) {
       if (solid[{x, y}] != 0) last = x;
       left_[{x, y}] = last;

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 
+#include "base/work.hpp"
 #include "grid/grid.hpp"
 
 namespace meander {
@@ -10,7 +11,7 @@ namespace meander {
 /// How far from the solid cells and the rim of a grid, exactly: cells are squares. In units of cells.
 class Clearance {
  public:
-  explicit Clearance(const Grid<std::uint8_t>& solid);
+  explicit Clearance(const Grid<std::uint8_t>& solid, const Work& work = {});
 
   /// From every point of the straight piece, at least; 0 where it touches something solid or the rim, -1 where it goes
   /// through one. Answers above `enough` may be too small or too large, but not below it.

@@ -52,7 +52,8 @@ Vec2 cell_center(Lattice lattice, Cell cell) {
   return {cell.x + ((cell.y & 1) != 0 ? 1.0 : 0.5), (cell.y + 0.5) * kSqrt3 / 2};
 }
 
-Cell cell_at(Lattice lattice, const Vec2& point) {
+Cell cell_at(Lattice lattice, const Vec2& place) {
+  const Vec2 point = place.cwiseMax(-GridFrame::kFarthestCell).cwiseMin(GridFrame::kFarthestCell);
   if (lattice != Lattice::hexagonal)
     return {static_cast<int>(std::floor(point.x())), static_cast<int>(std::floor(point.y()))};
   const int row = static_cast<int>(std::floor(point.y() * 2 / kSqrt3));

@@ -42,11 +42,12 @@ std::vector<Vec2> resampled(const std::vector<Vec2>& points, double spacing) {
   return samples;
 }
 
-PathMeasures measure_path(const std::vector<Vec2>& points, const Clearance& clearance) {
+PathMeasures measure_path(const std::vector<Vec2>& points, const Clearance& clearance, const Work& work) {
   PathMeasures measures;
   if (points.empty()) return measures;
   measures.clearance_min = clearance.of(points.front());
   for (std::size_t i = 1; i < points.size(); ++i) {
+    if (i % 64 == 0) work.poll();
     measures.length += (points[i] - points[i - 1]).norm();
     measures.clearance_min = std::min(measures.clearance_min, clearance.of(points[i - 1], points[i]));
   }
@@ -55,7 +56,10 @@ PathMeasures measure_path(const std::vector<Vec2>& points, const Clearance& clea
   const std::vector<double> bends = turns(samples);
   // The last piece is shorter than a cell: its angle says little.
   for (std::size_t i = 0; i + 1 < bends.size(); ++i) measures.curvature = std::max(measures.curvature, bends[i]);
-  for (const Vec2& sample : samples) measures.clearance_mean += std::max(clearance.of(sample), 0.0);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (i % 64 == 0) work.poll();
+    measures.clearance_mean += std::max(clearance.of(samples[i]), 0.0);
+  }
   measures.clearance_mean /= static_cast<double>(samples.size());
   return measures;
 }

@@ -14,7 +14,7 @@ struct PathMeasures {
   double clearance_min = 0;   ///< exactly, of all points; below 0: the path goes through something
 };
 
-PathMeasures measure_path(const std::vector<Vec2>& points, const Clearance& clearance);
+PathMeasures measure_path(const std::vector<Vec2>& points, const Clearance& clearance, const Work& work = {});
 
 /// Is every point of the path at least the radius [cells] away from all that is solid? Exactly, to 1e-9 cells.
 bool certified(const PathMeasures& measures, double radius);

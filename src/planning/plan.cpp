@@ -16,9 +16,9 @@ double Plan::value(const Vec2& point) const {
 }
 
 void find_path(Plan& plan, const Work& work) {
-  const Clearance clearance(plan.problem.solid());
+  const Clearance clearance(plan.problem.solid(), work);
   plan.path = extract_path(plan.problem, plan.result, plan.kind, clearance, work);
-  plan.measures = measure_path(plan.path.points, clearance);
+  plan.measures = measure_path(plan.path.points, clearance, work);
   plan.clear = !plan.path.points.empty() && certified(plan.measures, plan.problem.robot_radius);
 }
 

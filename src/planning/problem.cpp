@@ -15,7 +15,12 @@ void check_size(const char* what, int width, int height, const Grid<std::uint8_t
          width, height);
 }
 
-std::string at(Cell cell) { return fmt::format("({}, {})", cell.x, cell.y); }
+/// As the map counts cells, and in its frame.
+std::string at(const PlanningProblem& problem, Cell cell) {
+  const GridFrame& frame = problem.blocked.frame;
+  const Vec2 place = frame.origin * Vec2(cell_center(problem.lattice, cell) * frame.resolution);
+  return fmt::format("({}, {}) at ({:.2f}, {:.2f}) m", cell.x, cell.y, place.x(), place.y());
+}
 
 /// The cell of what stands there that holds this cell's centre.
 Cell square_of(const PlanningProblem& problem, Cell cell) {
@@ -27,12 +32,12 @@ Cell square_of(const PlanningProblem& problem, Cell cell) {
 /// "" or why nobody can stand there.
 std::string trouble(const PlanningProblem& problem, const char* what, Cell cell) {
   if (!problem.blocked.contains(cell))
-    return fmt::format("{} in cell {} lies outside of the map of {} x {} cells", what, at(cell),
+    return fmt::format("{} in cell {} lies outside of the map of {} x {} cells", what, at(problem, cell),
                        problem.blocked.width(), problem.blocked.height());
   if (problem.blocked[cell] == 0) return {};
   if (problem.robot_radius > 0 && problem.solid()[square_of(problem, cell)] == 0)
-    return fmt::format("{} in cell {} is nearer to a wall than the robot's radius", what, at(cell));
-  return fmt::format("{} in cell {} lies in a wall", what, at(cell));
+    return fmt::format("{} in cell {} is nearer to a wall than the robot's radius", what, at(problem, cell));
+  return fmt::format("{} in cell {} lies in a wall", what, at(problem, cell));
 }
 
 double asked_by(const PlanningProblem& problem, Cell cell, const Eigen::Vector2f& direction) {
@@ -70,8 +75,8 @@ std::string bad_place_reason(const PlanningProblem& problem) {
 }
 
 std::string cut_off_reason(const PlanningProblem& problem) {
-  return fmt::format("the start in cell {} is cut off from {}", at(*problem.start),
-                     problem.targets.size() == 1 ? "the target in cell " + at(problem.targets.front())
+  return fmt::format("the start in cell {} is cut off from {}", at(problem, *problem.start),
+                     problem.targets.size() == 1 ? "the target in cell " + at(problem, problem.targets.front())
                                                  : fmt::format("all {} targets", problem.targets.size()));
 }
 

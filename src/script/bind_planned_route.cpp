@@ -6,6 +6,7 @@
 #include "script/control_options.hpp"
 #include "script/kit_module.hpp"
 #include "script/planning_objects.hpp"
+#include "script/robot_options.hpp"
 
 namespace meander::script {
 
@@ -13,6 +14,7 @@ struct PlannedRouteTable {
   MapSourceTable source;
   std::optional<SubgoalOption> target;
   std::vector<SubgoalOption> targets;
+  std::optional<Preset<Platform>> robot;
   PlannedRouteOptions options;
 };
 template <class Options, class Visitor>
@@ -21,6 +23,12 @@ void fields(Options& o, Visitor&& visit) {
   fields(o.source, visit);
   visit(Field{"target", "m", "where to"}, o.target);
   visit(Field{"targets", "m", "where to, several: to the one that is best"}, o.targets);
+  visit(
+      Field{
+          "robot", "",
+          "kind of robot: what its sonars hear and the map does not show is gone round, too, and robot_radius is that "
+          "of its body"},
+      o.robot);
   fields(o.options, visit);
 }
 
@@ -32,7 +40,13 @@ std::shared_ptr<Guide> route(const PlannedRouteTable& table, const Call& call) {
   if (table.target) targets.push_back(table.target->in(world).position);
   for (const SubgoalOption& target : table.targets) targets.push_back(target.in(world).position);
   if (targets.empty()) fail("option 'target': missing, {{x, y}} expected, or a list of them as 'targets'");
-  return std::make_shared<Guide>(planned_route(map_of(table.source, call.work()), std::move(targets), table.options));
+  PlannedRouteOptions options = table.options;
+  std::optional<Platform> robot;
+  if (table.robot) {
+    robot = table.robot->value;
+    options.robot_radius = robot->body.radius;
+  }
+  return std::make_shared<Guide>(planned_route(map_of(table.source, call.work()), std::move(targets), options, robot));
 }
 
 }  // namespace
@@ -43,7 +57,8 @@ void bind_planned_route(lua_State* L) {
           .name = "planned_route",
           .text = "A guide: plans a path on a map of cells and hands its points to the navigator, each the farthest "
                   "in sight. Plans anew when the navigator is trapped, with what is ahead taken as blocked, and "
-                  "when an edit of the map blocks the rest of the path. It sees the map, never the world.",
+                  "when an edit of the map, or what the robot's sonars hear, blocks the rest of the path. It sees the "
+                  "map and the readings, never the world.",
           .args = {{"options", "the map, where to, and how"}},
           .returns = "the guide",
           .errors = "no target; none or several maps; a number out of range",

@@ -65,10 +65,10 @@ describe("a plan", function()
     local map = room()
     local plan, why = meander.planning.plan { map = map, start = { 4, 1 }, target = { 7, 1 } }
     expect(plan):equals(nil)
-    expect(why):equals "no path: the start in cell (40, 10) lies in a wall"
+    expect(why):equals "no path: the start in cell (40, 10) at (4.05, 1.05) m lies in a wall"
     map:block { { 3.9, 0 }, { 4.1, 4 } }
     plan, why = meander.planning.plan { map = map, start = { 1, 1 }, target = { 7, 1 } }
-    expect(why):equals "no path: the start in cell (10, 10) is cut off from the target in cell (70, 10)"
+    expect(why):equals "no path: the start in cell (10, 10) at (1.05, 1.05) m is cut off from the target in cell (70, 10) at (7.05, 1.05) m"
   end)
 
   it("goes round what is hard and up no hill without need", function()

@@ -176,7 +176,7 @@ TEST(NeuralMap, TinyMapsWork) {
     EXPECT_EQ(solved({.blocked = open_floor(1, 40), .targets = {{0, 3}}}, solver).statistics.cells, 40);
     EXPECT_EQ(solved({.blocked = open_floor(40, 1), .targets = {{39, 0}}}, solver).statistics.cells, 40);
     EXPECT_EQ(solved({.blocked = Map(3, 3, 1), .targets = {{1, 1}}}, solver).reason,
-              "the target in cell (1, 1) lies in a wall");
+              "the target in cell (1, 1) at (1.50, 1.50) m lies in a wall");
   }
 }
 

@@ -66,25 +66,27 @@ TEST(PlanningProblem, MisuseIsAnError) {
 }
 
 TEST(PlanningProblem, NoPathIsAReason) {
-  EXPECT_EQ(reason(drawn_problem({"S#T"})), "the start in cell (0, 0) is cut off from the target in cell (2, 0)");
-  EXPECT_EQ(reason(drawn_problem({"S#T", "#TT"})), "the start in cell (0, 1) is cut off from all 3 targets");
+  EXPECT_EQ(reason(drawn_problem({"S#T"})),
+            "the start in cell (0, 0) at (0.50, 0.50) m is cut off from the target in cell (2, 0) at (2.50, 0.50) m");
+  EXPECT_EQ(reason(drawn_problem({"S#T", "#TT"})),
+            "the start in cell (0, 1) at (0.50, 1.50) m is cut off from all 3 targets");
   PlanningProblem problem = drawn_problem({"S#.", "..."});
   problem.targets = {{1, 1}};
-  EXPECT_EQ(reason(problem), "the target in cell (1, 1) lies in a wall");
+  EXPECT_EQ(reason(problem), "the target in cell (1, 1) at (1.50, 1.50) m lies in a wall");
   problem.targets = {{1, 1}, {7, -1}};
-  EXPECT_EQ(reason(problem), "no target can be stood on: the target in cell (1, 1) lies in a wall");
+  EXPECT_EQ(reason(problem), "no target can be stood on: the target in cell (1, 1) at (1.50, 1.50) m lies in a wall");
   problem.targets = {{3, 1}};
-  EXPECT_EQ(reason(problem), "the target in cell (3, 1) lies outside of the map of 3 x 2 cells");
+  EXPECT_EQ(reason(problem), "the target in cell (3, 1) at (3.50, 1.50) m lies outside of the map of 3 x 2 cells");
   problem.targets = {{2, 1}};
   problem.start = Cell{1, 1};
-  EXPECT_EQ(reason(problem), "the start in cell (1, 1) lies in a wall");
+  EXPECT_EQ(reason(problem), "the start in cell (1, 1) at (1.50, 1.50) m lies in a wall");
   problem.start = Cell{-1, 1};
-  EXPECT_EQ(reason(problem), "the start in cell (-1, 1) lies outside of the map of 3 x 2 cells");
+  EXPECT_EQ(reason(problem), "the start in cell (-1, 1) at (-0.50, 1.50) m lies outside of the map of 3 x 2 cells");
   problem = drawn_problem({"S......", ".......", "......T"});
   problem.obstacles = problem.blocked;
   problem.robot_radius = 1;
   problem.blocked = blocked_for(problem.obstacles, problem.robot_radius);
-  EXPECT_EQ(reason(problem), "the target in cell (6, 0) is nearer to a wall than the robot's radius");
+  EXPECT_EQ(reason(problem), "the target in cell (6, 0) at (6.50, 0.50) m is nearer to a wall than the robot's radius");
 }
 
 TEST(PlanningProblem, TheSmallestMapsHaveTheirWays) {
