@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "autonomy/unmapped_obstacles.hpp"
+
 namespace meander {
 namespace {
 
@@ -104,6 +106,54 @@ TEST(PlannedRoute, GivesUpAfterSoManyTraps) {
   });
   EXPECT_FALSE(way.end.success);
   EXPECT_FALSE(way.end.reason.empty());
+}
+
+/// Faces along x; the sonar ahead hears something at x = 3.9 where the upper door is, the others hear nothing.
+Observation before_the_upper_door(const Vec2& at) {
+  Observation observation;
+  observation.odometry.pose = {at.x(), at.y(), 0};
+  observation.readings.sonar.assign(16, 6.477);
+  observation.readings.sonar_pose.assign(16, observation.odometry.pose);
+  if (std::abs(at.y() - 3) < 0.5 && at.x() < 3.4) observation.readings.sonar[0] = 3.9 - at.x() - 0.23;
+  return observation;
+}
+
+TEST(PlannedRoute, GoesRoundWhatTheSonarsHear) {
+  for (const bool listens : {true, false}) {
+    const std::optional<Platform> robot = listens ? std::optional(platform("nomad200")) : std::nullopt;
+    const Guide guide = planned_route(two_rooms(), {{7, 3}}, {.robot_radius = 0.25, .mapped = 0.1}, robot);
+    Vec2 at(1, 3);
+    bool upper = false;
+    for (int i = 0; i < 2000; ++i) {
+      Observation seen = before_the_upper_door(at);
+      seen.time = 0.1 * i;
+      const GuideStep step = guide.next(seen, {});
+      EXPECT_TRUE(step.subgoal || step.success) << step.reason;
+      if (!step.subgoal) break;
+      const Vec2 way = step.subgoal->position - at;
+      at += way * std::min(1.0, 0.05 / std::max(way.norm(), 1e-9));
+      upper = upper || (at.x() > 3.5 && at.x() < 4.5 && at.y() > 2);
+    }
+    EXPECT_LT((at - Vec2(7, 3)).norm(), 0.3);
+    EXPECT_EQ(upper, !listens);
+  }
+}
+
+TEST(UnmappedObstacles, AreWhatIsHeardAndNotInTheMap) {
+  const auto map = two_rooms();
+  set_solid(*map, {{3.9, 0}, {4.1, 4}}, false);
+  UnmappedObstacles unmapped(platform("nomad200"), map, 0.2);
+  for (double x = 1; x < 3; x += 0.05) unmapped.listen(before_the_upper_door({x, 3}));
+  EXPECT_FALSE(unmapped.points().empty());
+  for (const Vec2& point : unmapped.points()) EXPECT_NEAR(point.x(), 3.9, 0.15);
+  EXPECT_TRUE(unmapped.beside({3, 3}, {5, 3}, 0.25));
+  EXPECT_FALSE(unmapped.beside({3, 1}, {5, 1}, 0.25));
+  set_solid(*map, {{3.8, 2}, {4, 4}}, true);
+  EXPECT_TRUE(unmapped.points().empty());
+  set_solid(*map, {{3.8, 2}, {4, 4}}, false);
+  EXPECT_FALSE(unmapped.points().empty());
+  unmapped.forget();
+  EXPECT_TRUE(unmapped.points().empty());
 }
 
 TEST(PlannedRoute, MisuseIsAnError) {
