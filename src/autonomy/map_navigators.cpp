@@ -44,7 +44,7 @@ class MapSafety {
   }
   /// Time of a cycle and of braking from the faster of what is and what is commanded [s].
   double horizon(const Observation& seen, const Command& command) const {
-    const double fastest = std::max(std::hypot(seen.odometry.v, seen.odometry.vy), std::hypot(command.v, command.vy));
+    const double fastest = std::max(Vec2(seen.odometry.v, seen.odometry.vy).norm(), Vec2(command.v, command.vy).norm());
     return platform_.period + 0.5 * fastest / platform_.body.a_v;
   }
   void look_around(const Observation& seen, const Command& command) {

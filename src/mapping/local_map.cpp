@@ -149,7 +149,7 @@ Grid<float> LocalMap::log_odds() const {
 }
 
 std::size_t LocalMap::bytes() const {
-  return sizeof(*this) + views_.bytes() +
+  return sizeof(*this) + model_.bytes + views_.bytes() +
          (range_.capacity() + bearing_.capacity() + told_.capacity() + increments_.capacity() + everywhere_.capacity() +
           cells_.capacity()) *
              sizeof(float);

@@ -49,6 +49,10 @@ class NetworkPass {
   void take_gradient(std::span<float> gradient);
 
   std::span<float> weights() { return weights_; }
+  std::size_t bytes() const {
+    return sizeof(float) * weights_.capacity() + sizeof(Block) * (values_.capacity() + errors_.capacity()) +
+           sizeof(Lanes) * gradient_.capacity();
+  }
 
  private:
   std::size_t units(std::size_t layer) const { return static_cast<std::size_t>(layers_[layer]); }

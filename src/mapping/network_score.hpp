@@ -10,6 +10,8 @@ struct ClassCounts {
   double occupied = 0, free = 0, hidden = 0;
 };
 ClassCounts class_counts(const Examples& examples);
+/// The same; throws ArgumentError when there are none occupied or none free.
+ClassCounts counts_of_both(const Examples& examples);
 
 /// ln(1 + exp(-z)) where the cell is occupied, ln(1 + exp(z)) where it is free: how much log-odds z surprise [nats].
 double surprise(double z, bool occupied);
@@ -35,7 +37,9 @@ class BalancedLoss {
 };
 
 /// The outputs for all examples.
-std::vector<float> network_outputs(const Network& network, const Examples& examples);
+std::vector<float> network_outputs(const Network& network, const Examples& examples, const Work& work = {});
+/// The mean loss of its outputs less the prior. Throws ArgumentError when one of the two classes is missing.
+double balanced_loss(const Network& network, const Examples& examples, double prior, const Work& work = {});
 /// Of any model's log-odds for these examples. Throws ArgumentError when one of the two classes is missing.
 NetworkScore score_of(std::span<const float> log_odds, const Examples& examples);
 

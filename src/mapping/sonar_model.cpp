@@ -19,8 +19,8 @@ struct Entry {
 };
 
 constexpr Entry kModels[] = {
-    {"elfes", [](const SonarModelOptions& options) { return cone_model(options.ring); }},
-    {"ros", [](const SonarModelOptions& options) { return range_layer_model(options.ring); }},
+    {"elfes", [](const SonarModelOptions& options) { return cone_model(options.ring, options.elfes); }},
+    {"ros", [](const SonarModelOptions& options) { return range_layer_model(options.ring, options.ros); }},
 };
 
 constexpr double kSamePlace = 1e-9;  ///< [m], [rad]

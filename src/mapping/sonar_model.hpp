@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mapping/classic_options.hpp"
 #include "robot/platform.hpp"
 
 namespace meander {
@@ -31,6 +32,7 @@ struct SonarModel {
   RingLayout ring;   ///< the only one it can read
   double reach = 0;  ///< cells farther from the centre get 0 [m]
   std::function<void(const SonarSweep&, const CellPlaces&, std::span<float> log_odds)> evaluate;
+  std::size_t bytes = 0;  ///< of weights, tables and scratch memory
 };
 
 /// What a model by name is made for.
@@ -38,13 +40,16 @@ struct SonarModelOptions {
   RingLayout ring;
   std::string preset = "ideal";  ///< sonar that the weights of a network were trained for
   bool table = false;            ///< networks: compiled to a lookup table, faster and a little worse
+  ConeModelOptions elfes{};
+  RangeLayerOptions ros{};
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, SonarModelOptions>
 void fields(Options& o, Visitor&& visit) {
-  visit(Field{"ring", "", "places of the sonars"}, o.ring);
   visit(Field{"preset", "", "networks: sonar that their weights were trained for"}, o.preset);
   visit(Field{"table", "", "networks: compiled to a lookup table, faster and a little worse"}, o.table);
+  visit(Field{"elfes", "", "options of the model of this name"}, o.elfes);
+  visit(Field{"ros", "", "options of the model of this name"}, o.ros);
 }
 
 /// Throws ArgumentError when the ring is none or has fewer sonars than `what` needs.

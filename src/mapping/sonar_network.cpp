@@ -50,8 +50,8 @@ struct Reader {
   }
 };
 
-float wanted_of(LessonTruth truth) {
-  return truth == LessonTruth::occupied ? 1.0F : truth == LessonTruth::free ? 0.0F : 0.5F;
+float wanted_of(CellTruth truth) {
+  return truth == CellTruth::occupied ? 1.0F : truth == CellTruth::free ? 0.0F : 0.5F;
 }
 
 /// Calls body(first, after last) for each run of cells of one scan.
@@ -73,7 +73,7 @@ void check_words(const std::string& what, const std::string& text) {
   if (shown != text) fail("{}: one line without control characters expected, got '{}'", what, shown);
 }
 
-Examples examples_of(const SonarLessons& lessons, const SonarFeatures& features) {
+Examples examples_of(const SonarLessons& lessons, const SonarFeatures& features, const Work& work) {
   Examples examples;
   examples.inputs = features.inputs();
   if (lessons.cells.empty()) return examples;
@@ -81,6 +81,7 @@ Examples examples_of(const SonarLessons& lessons, const SonarFeatures& features)
   std::vector<Block> inputs(static_cast<std::size_t>(features.inputs()));
   const auto reach = static_cast<float>(features.reach);
   for_each_scan(lessons, [&](std::size_t begin, std::size_t end) {
+    work.poll();
     selector.take({lessons.scan(lessons.cells[begin].scan), lessons.range_max});
     for (std::size_t i = begin; i < end; ++i) {
       const SonarLessons::Cell& cell = lessons.cells[i];
@@ -96,15 +97,15 @@ Examples examples_of(const SonarLessons& lessons, const SonarFeatures& features)
 SonarNetwork train_sonar_network(const std::string& name, const SonarFeatures& features, const SonarLessons& lessons,
                                  const SonarLessons& validation, const TrainingOptions& options, const Work& work,
                                  const std::function<void(const TrainingEpoch&)>& on_epoch) {
-  const Examples examples = examples_of(lessons, features);
+  const Examples examples = examples_of(lessons, features, work);
   if (!validation.cells.empty()) check_ring("validation lessons", validation.ring, lessons.ring);
   SonarNetwork made{.name = name, .ring = lessons.ring, .features = features, .network = {}, .provenance = {}};
-  made.network = train_network(examples, examples_of(validation, features), options, work, on_epoch);
+  made.network = train_network(examples, examples_of(validation, features, work), options, work, on_epoch);
   made.prior = learnt_prior(examples, options);
   return made;
 }
 
-NetworkScore model_score(const SonarModel& model, const SonarLessons& lessons) {
+NetworkScore model_score(const SonarModel& model, const SonarLessons& lessons, const Work& work) {
   check_ring("lessons", lessons.ring, model.ring);
   Examples examples;
   std::vector<float> log_odds, range, bearing;
@@ -115,6 +116,7 @@ NetworkScore model_score(const SonarModel& model, const SonarLessons& lessons) {
   }
   log_odds.resize(range.size());
   for_each_scan(lessons, [&](std::size_t begin, std::size_t end) {
+    work.poll();
     model.evaluate({lessons.scan(lessons.cells[begin].scan), lessons.range_max},
                    {std::span(range).subspan(begin, end - begin), std::span(bearing).subspan(begin, end - begin)},
                    std::span(log_odds).subspan(begin, end - begin));
@@ -127,9 +129,9 @@ SonarModel network_model(const SonarNetwork& network) {
   return {.name = network.name,
           .ring = network.ring,
           .reach = network.features.reach,
-          .evaluate = [reader](const SonarSweep& sweep, const CellPlaces& cells, std::span<float> log_odds) {
-            reader->evaluate(sweep, cells, log_odds);
-          }};
+          .evaluate = [reader](const SonarSweep& sweep, const CellPlaces& cells,
+                               std::span<float> log_odds) { reader->evaluate(sweep, cells, log_odds); },
+          .bytes = sizeof(Reader) + reader->pass.bytes()};
 }
 
 SonarNetwork shipped_network(const std::string& name, const std::string& preset, const RingLayout& ring) {

@@ -28,7 +28,7 @@ struct SonarNetwork {
 };
 
 /// The lessons as the network sees them. Throws ArgumentError when their ring is none for networks.
-Examples examples_of(const SonarLessons& lessons, const SonarFeatures& features);
+Examples examples_of(const SonarLessons& lessons, const SonarFeatures& features, const Work& work = {});
 
 /// Trains a network of these features from lessons. Throws ArgumentError.
 SonarNetwork train_sonar_network(const std::string& name, const SonarFeatures& features, const SonarLessons& lessons,
@@ -36,7 +36,7 @@ SonarNetwork train_sonar_network(const std::string& name, const SonarFeatures& f
                                  const std::function<void(const TrainingEpoch&)>& on_epoch = {});
 
 /// Of any sensor model. Throws ArgumentError when the lessons are of another ring or one of the classes is missing.
-NetworkScore model_score(const SonarModel& model, const SonarLessons& lessons);
+NetworkScore model_score(const SonarModel& model, const SonarLessons& lessons, const Work& work = {});
 
 /// The network as a sensor model, exactly or compiled to a lookup table.
 SonarModel network_model(const SonarNetwork& network);

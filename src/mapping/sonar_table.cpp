@@ -58,6 +58,7 @@ class Table {
     compile(made);
   }
 
+  std::size_t bytes() const { return sizeof(*this) + values_.capacity(); }
   void evaluate(const SonarSweep& sweep, const CellPlaces& cells, std::span<float> log_odds) {
     selector_.take(sweep);
     std::size_t i = 0;
@@ -155,9 +156,9 @@ SonarModel table_model(const SonarNetwork& network) {
   return {.name = network.name,
           .ring = network.ring,
           .reach = network.features.reach,
-          .evaluate = [table](const SonarSweep& sweep, const CellPlaces& cells, std::span<float> log_odds) {
-            table->evaluate(sweep, cells, log_odds);
-          }};
+          .evaluate = [table](const SonarSweep& sweep, const CellPlaces& cells,
+                              std::span<float> log_odds) { table->evaluate(sweep, cells, log_odds); },
+          .bytes = table->bytes()};
 }
 
 }  // namespace meander

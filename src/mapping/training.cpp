@@ -191,7 +191,7 @@ Network train_network(const Examples& training, const Examples& validation, cons
     const double loss = learner.mean_loss();
     if (on_epoch)
       on_epoch({epoch + 1, options.epochs, loss,
-                validation.size() > 0 ? network_score(network, validation, prior).cross_entropy : 0});
+                validation.size() > 0 ? balanced_loss(network, validation, prior, work) : 0});
     work.report((epoch + 1.0) / options.epochs, "training");
   }
   return network;

@@ -5,12 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "robot/cell_truth.hpp"
 #include "robot/platform.hpp"
 
 namespace meander {
-
-/// What is known about a cell of a lesson; hidden: out of sight, so that no scan can tell.
-enum class LessonTruth : std::uint8_t { hidden, free, occupied };
 
 /// Scans with cells around the robot whose truth is known: what sensor models learn from and are measured by.
 struct SonarLessons {
@@ -18,7 +16,7 @@ struct SonarLessons {
     std::uint32_t scan = 0;
     float range = 0;    ///< from the robot's centre [m]
     float bearing = 0;  ///< from its heading [rad]
-    LessonTruth truth = LessonTruth::hidden;
+    CellTruth truth = CellTruth::hidden;
   };
   RingLayout ring;
   double range_max = 6.477;    ///< this and more: no echo [m]

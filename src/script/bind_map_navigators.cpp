@@ -55,21 +55,24 @@ void fields(Options& o, Visitor&& visit) {
 
 namespace {
 
-std::shared_ptr<LocalMap> own_map(const OwnMapTable& table, const Platform& platform) {
-  return std::make_shared<LocalMap>(platform, table.choice.model(platform), table.local);
+std::shared_ptr<LocalMap> own_map(const OwnMapTable& table, const Platform& platform, const Call& call) {
+  auto map = std::make_shared<LocalMap>(platform, table.choice.model(platform), table.local);
+  account(call.L, map->bytes());
+  return map;
 }
 
-std::shared_ptr<Navigator> map_navigator(const MapNavigatorTable& table) {
+std::shared_ptr<Navigator> map_navigator(const MapNavigatorTable& table, const Call& call) {
   const Platform& platform = table.robot.value;
   return std::make_shared<Navigator>(
-      polar_on_map(platform, own_map(table.map, platform), table.polar, table.obstacles));
+      polar_on_map(platform, own_map(table.map, platform, call), table.polar, table.obstacles));
 }
 
-std::shared_ptr<Navigator> safety(const NavigatorOption& navigator, const std::optional<MapSafetyTable>& given) {
+std::shared_ptr<Navigator> safety(const NavigatorOption& navigator, const std::optional<MapSafetyTable>& given,
+                                  const Call& call) {
   const MapSafetyTable table = given.value_or(MapSafetyTable{});
   const Platform& platform = table.robot.value;
   return std::make_shared<Navigator>(
-      with_map_safety(navigator.make(platform), platform, own_map(table.map, platform), table.options));
+      with_map_safety(navigator.make(platform), platform, own_map(table.map, platform, call), table.options));
 }
 
 }  // namespace

@@ -43,6 +43,13 @@ std::shared_ptr<SonarMap> make(const MapTable& table) {
   return std::make_shared<SonarMap>(platform, table.choice.model(platform), table.local, table.global);
 }
 
+/// A map that grows hangs more on its userdata than when it was made.
+void update(SonarMap& map, const Observation& observation, const Call& call) {
+  const std::size_t before = map.bytes();
+  map.update(observation);
+  if (map.bytes() > before) account(call.L, map.bytes() - before);
+}
+
 MapPart part_of(const SonarMap& map, const std::optional<MapPart>& part) {
   return part.value_or(map.global() ? MapPart::global : MapPart::local);
 }
@@ -85,11 +92,11 @@ DrawList picture(const SonarMap& map) { return part_picture(map, std::nullopt); 
 
 void bind_methods(lua_State* L) {
   Type<SonarMap>(L, "A local grid map that slides with the robot, and the map of everywhere that it feeds.")
-      .method<&SonarMap::update>(Doc{.name = "update",
-                                     .text = "Takes in one scan.",
-                                     .args = {{"observation", "what the robot sees"}},
-                                     .errors = "readings of another ring; a pose that is no place; a full global map",
-                                     .example = EXAMPLE_MAP "print(m.scans)"})
+      .method<&update>(Doc{.name = "update",
+                           .text = "Takes in one scan.",
+                           .args = {{"observation", "what the robot sees"}},
+                           .errors = "readings of another ring; a pose that is no place; a full global map",
+                           .example = EXAMPLE_MAP "print(m.scans)"})
       .method<&probability>(Doc{.name = "probability",
                                 .text = "How probably a place is occupied; 0.5: unknown. By the local map where that "
                                         "knows something, else by the global map.",

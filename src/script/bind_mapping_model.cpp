@@ -11,15 +11,13 @@ namespace meander::script {
 
 struct ModelTable {
   Preset<Platform> robot;
-  std::string preset = "ideal";
-  bool table = false;
+  SonarModelOptions options;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, ModelTable>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"robot", "", "kind of robot whose sonars are read"}, o.robot);
-  visit(Field{"preset", "", "networks: sonar that their weights were trained for"}, o.preset);
-  visit(Field{"table", "", "networks: compiled to a lookup table, faster and a little worse"}, o.table);
+  fields(o.options, visit);
 }
 
 struct ScoreView {
@@ -36,8 +34,9 @@ void fields(Options& o, Visitor&& visit) {
 namespace {
 
 std::shared_ptr<SonarModel> make(const ModelOption& what, const ModelTable& table) {
-  return std::make_shared<SonarModel>(
-      what.make({.ring = table.robot.value.sonar, .preset = table.preset, .table = table.table}));
+  SonarModelOptions options = table.options;
+  options.ring = table.robot.value.sonar;
+  return std::make_shared<SonarModel>(what.make(options));
 }
 
 std::vector<double> evaluate(const SonarModel& model, const Values& ranges, const std::vector<Vec2>& cells,
@@ -53,8 +52,8 @@ std::vector<double> evaluate(const SonarModel& model, const Values& ranges, cons
   return {log_odds.begin(), log_odds.end()};
 }
 
-ScoreView score(const SonarModel& model, const SonarLessons& lessons) {
-  const NetworkScore score = model_score(model, lessons);
+ScoreView score(const SonarModel& model, const SonarLessons& lessons, const Call& call) {
+  const NetworkScore score = model_score(model, lessons, call.work());
   return {score.cross_entropy, score.brier, score.auc};
 }
 

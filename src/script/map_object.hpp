@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
-#include "mapping/classic_models.hpp"
 #include "mapping/sonar_map.hpp"
 #include "script/model_object.hpp"
 
@@ -16,17 +15,12 @@ inline std::size_t native_size(const SonarMap& map) { return sizeof(SonarMap) + 
 /// Which sensor model a map has.
 struct MapChoice {
   std::optional<ModelOption> what;
-  std::string preset = "ideal";
-  bool table = false;
-  ConeModelOptions elfes;
-  RangeLayerOptions ros;
+  SonarModelOptions options;
 
   SonarModel model(const Platform& platform) const {
-    const SonarModelOptions options{.ring = platform.sonar, .preset = preset, .table = table};
-    if (!what) return sonar_model("nn4", options);
-    if (what->name == "elfes") return cone_model(platform.sonar, elfes);
-    if (what->name == "ros") return range_layer_model(platform.sonar, ros);
-    return what->make(options);
+    SonarModelOptions made_for = options;
+    made_for.ring = platform.sonar;
+    return what ? what->make(made_for) : sonar_model("nn4", made_for);
   }
 };
 template <class Options, class Visitor>
@@ -36,10 +30,7 @@ void fields(Options& o, Visitor&& visit) {
               "what scans tell about cells: a name that meander.mapping.models() tells, 'nn4' when left out; a "
               "model, a network, or a function as meander.mapping.model takes it"},
         o.what);
-  visit(Field{"preset", "", "networks: sonar that their weights were trained for"}, o.preset);
-  visit(Field{"table", "", "networks: compiled to a lookup table, faster and a little worse"}, o.table);
-  visit(Field{"elfes", "", "options of the model of this name"}, o.elfes);
-  visit(Field{"ros", "", "options of the model of this name"}, o.ros);
+  fields(o.options, visit);
 }
 
 }  // namespace meander::script

@@ -30,24 +30,21 @@ SonarModel lua_model(const Function& function, const SonarModelOptions& options)
 ModelOption Lua<ModelOption>::read(lua_State* L, int index, const Path& path) {
   if (lua_isfunction(L, index))
     return {[function = Function(L, index, path)](const SonarModelOptions& options) {
-              return lua_model(function, options);
-            },
-            {}};
+      return lua_model(function, options);
+    }};
   if (test_box(L, index, tag_of<SonarModel>))
     return {[model = read_object<SonarModel>(L, index, path)](const SonarModelOptions& options) {
-              check_ring("model " + model->name, model->ring, options.ring);
-              return *model;
-            },
-            {}};
+      check_ring("model " + model->name, model->ring, options.ring);
+      return *model;
+    }};
   if (test_box(L, index, tag_of<SonarNetwork>))
     return {[network = read_object<SonarNetwork>(L, index, path)](const SonarModelOptions& options) {
-              check_ring("network " + network->name, network->ring, options.ring);
-              return options.table ? table_model(*network) : network_model(*network);
-            },
-            {}};
+      check_ring("network " + network->name, network->ring, options.ring);
+      return options.table ? table_model(*network) : network_model(*network);
+    }};
   if (lua_type(L, index) != LUA_TSTRING) expected(L, index, path, type());
   const std::string name = Lua<std::string>::read(L, index, path);
-  return {[name](const SonarModelOptions& options) { return sonar_model(name, options); }, name};
+  return {[name](const SonarModelOptions& options) { return sonar_model(name, options); }};
 }
 
 }  // namespace meander::script

@@ -20,6 +20,7 @@ template <>
 struct ObjectName<SonarLessons> {
   static constexpr const char* value = "lessons";
 };
+inline std::size_t native_size(const SonarModel& model) { return sizeof(SonarModel) + model.bytes; }
 inline std::size_t native_size(const SonarNetwork& network) {
   return sizeof(SonarNetwork) + network.network.weights.size() * sizeof(float);
 }
@@ -31,7 +32,6 @@ inline std::size_t native_size(const SonarLessons& lessons) {
 /// A sensor model: a name, a model, a network, or a Lua function.
 struct ModelOption {
   std::function<SonarModel(const SonarModelOptions&)> make;
-  std::string name{};  ///< if it was given by name
 };
 template <>
 struct Lua<ModelOption> {

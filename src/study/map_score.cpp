@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/area_under_curve.hpp"
 #include "world/rasterize.hpp"
 
 namespace meander {
@@ -52,21 +53,6 @@ void score_probabilities(const std::vector<Scored>& cells, MapScore& score) {
 }
 
 /// The statistic of Mann and Whitney; ties count half.
-double area_under_curve(std::vector<Scored> cells, const MapScore& score) {
-  std::sort(cells.begin(), cells.end(), [](const Scored& a, const Scored& b) { return a.probability < b.probability; });
-  double pairs = 0, free_below = 0;
-  for (std::size_t begin = 0; begin < cells.size();) {
-    std::size_t end = begin;
-    double occupied = 0, free = 0;
-    for (; end < cells.size() && cells[end].probability == cells[begin].probability; ++end)
-      ++(cells[end].occupied ? occupied : free);
-    pairs += occupied * (free_below + 0.5 * free);
-    free_below += free;
-    begin = end;
-  }
-  return pairs / (static_cast<double>(score.occupied) * score.free);
-}
-
 /// Distance to the first cell for which `blocked` holds; none: how far the grid reaches that way.
 template <class Blocked>
 std::pair<double, bool> first_blocked(const Grid<float>& grid, const Vec2& from, const Vec2& way, double begin,
@@ -116,7 +102,9 @@ MapScore score_map(const Grid<float>& probability, const Sim& sim, std::size_t r
   const std::vector<Scored> cells = seen_cells(probability, truth, score);
   if (score.free && score.occupied) {
     score_probabilities(cells, score);
-    score.auc = area_under_curve(cells, score);
+    std::vector<std::pair<double, bool>> scored;
+    for (const Scored& cell : cells) scored.emplace_back(cell.probability, cell.occupied);
+    score.auc = area_under_curve(std::move(scored));
   } else {
     score.ce = score.brier = score.auc = score.ece = kUnknown;
   }

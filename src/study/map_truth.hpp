@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
-#include <cstdint>
-
 #include "grid/grid.hpp"
+#include "robot/cell_truth.hpp"
 #include "sim/sim.hpp"
 
 namespace meander {
-
-/// What a cell of a map truly is for a robot that looks from where it is now.
-enum class CellTruth : std::uint8_t { hidden, free, occupied };
 
 struct MapTruthOptions {
   double slack = 0.07;

@@ -9,6 +9,8 @@
 namespace meander {
 namespace {
 
+constexpr std::size_t kMostLessons = 10'000'000;  ///< a few hundred megabytes, with what a network makes of them
+
 /// Random poses where the body has room.
 class PoseSource {
  public:
@@ -52,11 +54,6 @@ double share_of(CellTruth truth, const LessonOptions& options) {
   return truth == CellTruth::free ? options.free : options.hidden;
 }
 
-LessonTruth lesson_of(CellTruth truth) {
-  if (truth == CellTruth::occupied) return LessonTruth::occupied;
-  return truth == CellTruth::free ? LessonTruth::free : LessonTruth::hidden;
-}
-
 void add_scan(SonarLessons& lessons, const Sim& sim, const LessonOptions& options, Stream& choice) {
   const auto scan = static_cast<std::uint32_t>(lessons.scans());
   const std::vector<double>& ranges = sim.observation().readings.sonar;
@@ -65,6 +62,8 @@ void add_scan(SonarLessons& lessons, const Sim& sim, const LessonOptions& option
   const Pose2 robot_from_world = inverse(sim.state().pose_world);
   const Box& bounds = sim.world().header().bounds;
   const double body = sim.robot().platform.body.radius;
+  if (lessons.cells.size() > kMostLessons)
+    fail("lessons: {} cells at most expected: fewer poses or smaller shares", kMostLessons);
   for (int y = 0; y < truth.height(); ++y)
     for (int x = 0; x < truth.width(); ++x) {
       const CellTruth cell = truth[{x, y}];
@@ -74,7 +73,7 @@ void add_scan(SonarLessons& lessons, const Sim& sim, const LessonOptions& option
       lessons.cells.push_back({.scan = scan,
                                .range = static_cast<float>(seen.norm()),
                                .bearing = static_cast<float>(angle_of(seen.y(), seen.x())),
-                               .truth = lesson_of(cell)});
+                               .truth = cell});
     }
 }
 

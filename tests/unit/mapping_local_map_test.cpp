@@ -10,10 +10,14 @@
 #include <numeric>
 
 #include "base/random.hpp"
+#include "mapping/classic_models.hpp"
 #include "mapping/kept_views.hpp"
+#include "mapping/network_file.hpp"
 #include "mapping/sonar_map.hpp"
 
 namespace meander {
+std::size_t allocations();  // allocation_counter.cpp
+
 namespace {
 
 constexpr double kNothing = 6.477;
@@ -391,6 +395,28 @@ TEST(LocalMap, TenKilometresTakeNoMoreMemoryThanTen) {
   EXPECT_EQ(map.bytes(), before);
   EXPECT_LT(before, 400'000U);
   EXPECT_NEAR(map.center(map.low()).x(), 8000 - 1.5, 0.1);
+}
+
+TEST(LocalMap, AllocatesNothingPerScan) {
+  const std::string models = std::string(MEANDER_SOURCE_DIR) + "/models/nn4_ideal.txt";
+  const RingLayout& ring = nomad().sonar;
+  for (const SonarModel& model : {cone_model(ring), range_layer_model(ring), network_model(read_network(models)),
+                                  table_model(read_network(models))})
+    for (const Fusion rule : {Fusion::viewbin, Fusion::bayes}) {
+      LocalMap map(nomad(), model, by(rule));
+      Observation seen = seen_from({}, 1);
+      Stream random(1, "readings");
+      std::size_t before = 0;
+      for (int scan = 0; scan < 40; ++scan) {
+        seen.odometry.pose.x += 0.05;
+        seen.odometry.pose.heading += 0.1;
+        for (double& range : seen.readings.sonar) range = random.uniform(0.3, 3.5);
+        for (Pose2& pose : seen.readings.sonar_pose) pose = seen.odometry.pose;
+        if (scan == 10) before = allocations();
+        map.step(seen);
+      }
+      EXPECT_EQ(allocations(), before) << model.name;
+    }
 }
 
 TEST(LocalMap, RefusesWhatIsNoScanAndNoPlace) {

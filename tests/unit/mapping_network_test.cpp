@@ -210,6 +210,9 @@ TEST(Score, AreaIsTheShareOfPairs) {
         right += outputs[i] > outputs[j] ? 1 : outputs[i] == outputs[j] ? 0.5 : 0;
       }
   EXPECT_DOUBLE_EQ(score_of(outputs, examples).auc, right / pairs);
+  StopToken stop;
+  stop.request();
+  EXPECT_THROW(balanced_loss(random_network({2, 3, 1}, 1), examples, 0, {.stop = &stop, .progress = {}}), Cancelled);
 }
 
 }  // namespace

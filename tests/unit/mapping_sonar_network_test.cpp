@@ -52,7 +52,7 @@ TEST(SonarFeatures, AreThoseOfThePaperForAnyRing) {
     const RingLayout ring{3 + random.below(30), random.uniform(0.1, 0.5), random.uniform(-3, 3)};
     SonarLessons lessons{.ring = ring, .range_max = 6.477, .ranges = random_ranges(random, ring.count), .cells = {}};
     const double range = random.uniform(0.1, 2.2), bearing = random.uniform(-2 * kPi, 2 * kPi);
-    lessons.cells.push_back({0, static_cast<float>(range), static_cast<float>(bearing), LessonTruth::free});
+    lessons.cells.push_back({0, static_cast<float>(range), static_cast<float>(bearing), CellTruth::free});
     for (const std::string& name : sonar_network_names()) {
       const Examples examples = examples_of(lessons, sonar_features(name));
       const std::vector<double> plain = plain_features(name, ring, lessons.ranges, 6.477, range, bearing);
@@ -72,7 +72,7 @@ TEST(SonarNetworks, AModelGivesWhatTheNetworkGives) {
     for (int i = 0; i < 333; ++i) {  // no multiple of any block
       range.push_back(static_cast<float>(random.uniform(0, 2.2)));
       bearing.push_back(static_cast<float>(random.uniform(-6, 6)));
-      lessons.cells.push_back({0, range.back(), bearing.back(), LessonTruth::free});
+      lessons.cells.push_back({0, range.back(), bearing.back(), CellTruth::free});
     }
     const std::vector<float> outputs = network_outputs(network.network, examples_of(lessons, network.features));
     std::vector<float> log_odds(range.size());
@@ -235,6 +235,14 @@ TEST(SonarModels, UnknownNamesAreToldTheKnownOnes) {
   }
   EXPECT_THROW(sonar_model("nn4", {.ring = kRing, .preset = "../models/nn4"}), ArgumentError);
   EXPECT_THROW(sonar_model("nn4", {.ring = {12, 0.2, 0}}), ArgumentError);
+}
+
+TEST(SonarModels, TakeTheirOwnOptionsByName) {
+  SonarModelOptions options{.ring = kRing};
+  options.elfes.trust = 1;
+  options.ros.reliable = 1.5;
+  EXPECT_DOUBLE_EQ(sonar_model("elfes", options).reach, 1.23);
+  EXPECT_DOUBLE_EQ(sonar_model("ros", options).reach, 3.73);
 }
 
 }  // namespace

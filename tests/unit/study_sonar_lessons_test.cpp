@@ -42,7 +42,7 @@ TEST(SonarLessons, TellWhatIsSeen) {
     EXPECT_LE(std::abs(cell.bearing), 3.1416F);
   }
   for (const int count : counts) EXPECT_GT(count, 100);
-  EXPECT_GT(counts[static_cast<int>(LessonTruth::free)], 5 * counts[static_cast<int>(LessonTruth::occupied)]);
+  EXPECT_GT(counts[static_cast<int>(CellTruth::free)], 5 * counts[static_cast<int>(CellTruth::occupied)]);
 }
 
 TEST(SonarLessons, SharesAreTakenAndSeedsRepeat) {
