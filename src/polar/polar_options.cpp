@@ -5,16 +5,28 @@
 #include <algorithm>
 
 namespace meander {
+namespace {
+
+/// What somebody gave as well is no slip that may be passed over.
+template <class T>
+void turn(const char* name, T& option, const T& usual, T papers) {
+  if (option != usual && option != papers)
+    fail("option '{}': {} in mode 'paper' expected, got {}", name, papers, option);
+  option = papers;
+}
+
+}  // namespace
 
 PolarOptions in_mode(PolarOptions options) {
   if (options.mode == PolarMode::full) return options;
-  options.memory.contradictions = 0;
-  options.subgoal.hysteresis = 0;
-  options.trap.watch = false;
+  const PolarOptions usual;
+  turn("memory.contradictions", options.memory.contradictions, usual.memory.contradictions, 0);
+  turn("subgoal.hysteresis", options.subgoal.hysteresis, usual.subgoal.hysteresis, 0.0);
+  turn("trap.watch", options.trap.watch, usual.trap.watch, false);
   // The zone around obstacles costs, and more at any speed alike.
-  options.control.soft_margin = 0.20;
-  options.control.soft_samples = 0.8;
-  options.control.soft_speed_cost = 0;
+  turn("control.soft_margin", options.control.soft_margin, usual.control.soft_margin, 0.20);
+  turn("control.soft_samples", options.control.soft_samples, usual.control.soft_samples, 0.8);
+  turn("control.soft_speed_cost", options.control.soft_speed_cost, usual.control.soft_speed_cost, 0.0);
   return options;
 }
 

@@ -60,7 +60,8 @@ struct PolarOptions {
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, PolarOptions>
 void fields(Options& o, Visitor&& visit) {
-  visit(Field{"mode", "", "with the remedies beyond the paper, or without them"}, o.mode);
+  visit(Field{"mode", "", "with the remedies beyond the paper, or without them: then their options are refused"},
+        o.mode);
   visit(Field{"map", "", "the polar map"}, o.map);
   visit(Field{"memory", "", "the short-term memory"}, o.memory);
   visit(Field{"prediction", "", "prediction of the configuration"}, o.prediction);
@@ -82,7 +83,8 @@ struct PolarParts {
   OwnObstacles obstacles;
 };
 
-/// The options with what the mode turns off turned off.
+/// The options with what the mode turns off turned off. Throws ArgumentError for what was given beside the mode and is
+/// neither usual nor the mode's.
 PolarOptions in_mode(PolarOptions options);
 
 /// Throws ArgumentError at numbers out of range, and at those that contradict one another or the robot's size.

@@ -96,9 +96,21 @@ struct PolarOwnTable {
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, PolarOwnTable>
 void fields(Options& o, Visitor&& visit) {
-  visit(Field{"weights", "", "function(ring): weights {inward =, outward =, lateral =, leak =} of a ring"}, o.weights);
-  visit(Field{"objective", "", "function(candidate): its cost; the least is taken"}, o.objective);
-  visit(Field{"subgoal", "", "function(map): ring and sector of the subgoal, or nil: no way"}, o.subgoal);
+  visit(Field{"weights", "",
+              "function(ring): weights {inward =, outward =, lateral =, leak =, inward_diagonal =, outward_diagonal =} "
+              "of a ring, "
+              "which has ring, rings, sectors, radius, inner, outer, spacing"},
+        o.weights);
+  visit(Field{"objective", "",
+              "function(candidate): its cost; the least is taken; a candidate has v, w, x, y, heading, distance, "
+              "heading_error, "
+              "samples, hard, soft, near"},
+        o.objective);
+  visit(Field{"subgoal", "",
+              "function(map): ring and sector of the subgoal, or nil: no way; a map has rings, sectors, target, "
+              "target_ring, "
+              "previous, radii, bearings, activation"},
+        o.subgoal);
 }
 
 PolarCandidateView candidate_view(const MotionCandidate& candidate);

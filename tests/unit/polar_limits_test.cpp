@@ -40,6 +40,22 @@ TEST(PolarLimits, ScopesWithinTheRobotAreRefused) {
   EXPECT_TRUE(names(complaint({}, giant), {"map.scope", "2.54", "at least"}));
 }
 
+TEST(PolarLimits, PaperModeRefusesWhatItWouldPassOver) {
+  PolarOptions options;
+  options.mode = PolarMode::paper;
+  options.memory.contradictions = 3;
+  EXPECT_EQ(complaint(options), "option 'memory.contradictions': 0 in mode 'paper' expected, got 3");
+  options.memory.contradictions = 0;
+  EXPECT_EQ(complaint(options), "");
+  options.control.soft_margin = 0.35;
+  EXPECT_EQ(complaint(options), "option 'control.soft_margin': 0.2 in mode 'paper' expected, got 0.35");
+  options.control = {};
+  options.subgoal.hysteresis = 1;
+  EXPECT_TRUE(names(complaint(options), {"subgoal.hysteresis", "paper"}));
+  options.mode = PolarMode::full;
+  EXPECT_EQ(complaint(options), "");
+}
+
 TEST(PolarLimits, TheLeastScopeDrivesAgainstAWall) {
   PolarOptions options;
   options.control.hard_margin = options.control.soft_margin = options.map.margin = options.map.narrow_margin = 0;
