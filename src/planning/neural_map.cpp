@@ -10,10 +10,9 @@ namespace meander {
 PlanningResult neural_map(const PlanningProblem& problem, const NeuralMapOptions& options, const Work& work) {
   validate(options);
   if (std::string reason = no_path_reason(problem, work); !reason.empty()) return {.value = {}, .reason = reason};
-  const bool even = problem.even() && problem.lattice == Lattice::rectangular && options.weights == WeightLaw::inverse;
   const bool swept = options.solver == NeuralSolver::raster || options.solver == NeuralSolver::synchronous;
   const bool for_start = options.extent == NeuralExtent::start && problem.start && !swept;
-  if (options.solver == NeuralSolver::tiles && even && !for_start) return solve_tiles(problem, options, work);
+  if (fits_tiles(problem, options) && !for_start) return solve_tiles(problem, options, work);
   const NeuralNet net = neural_net(problem, options, work);
   if (for_start) return landscape_of(net, solve_for_start(net, *problem.start, work), problem);
   if (options.solver == NeuralSolver::raster)

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "planning/neural_tiles.hpp"
+
 namespace meander {
 
 NeuralReplanner::NeuralReplanner(PlanningProblem problem, const NeuralMapOptions& options, const Work& work)
@@ -15,6 +17,15 @@ NeuralReplanner::NeuralReplanner(PlanningProblem problem, const NeuralMapOptions
 }
 
 void NeuralReplanner::solve(const Work& work) {
+  tiles_.reset();
+  TileMap map;
+  if (fits_tiles(problem_, options_) && !is_maze(map = tile_map(problem_, work))) {
+    tiles_ = std::make_unique<TileSolver>(std::move(map), options_, *tile_kernels().back());
+    tiles_->solve(problem_, work);
+    tiles_->expect_edits(problem_);
+    settled_ = true;
+    return;
+  }
   net_ = neural_net(problem_, options_, work);
   solution_ = solve_active_list(net_, options_, work);
   settled_ = true;
@@ -28,10 +39,20 @@ void NeuralReplanner::edit(std::span<const CellEdit> edits, const Work& work) {
   for (const CellEdit& edit : edits) problem_.blocked[edit.cell] = edit.blocked ? 1 : 0;
   // Weights that differ may have another largest sum now, and all of the map another beta.
   if (!std::exchange(settled_, false) || !problem_.even()) return solve(work);
+  tiles_ ? edit_tiles(edits, work) : edit_net(edits, work);
+  settled_ = true;
+}
+
+void NeuralReplanner::edit_tiles(std::span<const CellEdit> edits, const Work& work) {
+  std::vector<std::int32_t> tiles;
+  for (const CellEdit& edit : edits) tiles.push_back(tiles_->tile_of(edit.cell));
+  tiles_->follow(problem_, std::move(tiles), work);
+}
+
+void NeuralReplanner::edit_net(std::span<const CellEdit> edits, const Work& work) {
   solution_.relaxations = 0;
   std::vector<std::int32_t> changed = drop_unsupported(relink_around(edits), work);
   settle(net_, solution_, std::move(changed), options_.tolerance, work);
-  settled_ = true;
 }
 
 /// The units whose connections may have changed.
@@ -59,10 +80,10 @@ std::vector<std::int32_t> NeuralReplanner::relink_around(std::span<const CellEdi
 
 /// [LM99+] Reachability first: activation that has lost what held it up goes to 0 at once and is built up anew; by
 /// updates alone a region that was cut off would decay for ever. A unit is dropped whose equation gives it less than
-/// (1 + s) / 2 of what it has. In a region without a source the unit of most activation gets at most s of it, so
+/// (1 + 19 s) / 20 of what it has. In a region without a source the unit of most activation gets at most s of it, so
 /// nothing is left of such a region. Returns the units to be settled.
 std::vector<std::int32_t> NeuralReplanner::drop_unsupported(std::vector<std::int32_t> changed, const Work& work) {
-  const double least = (1 + options_.steepness) / 2;
+  const double least = (1 + 19 * options_.steepness) / 20;
   std::vector<std::int32_t> settle = changed;
   for (std::size_t count = 0; !changed.empty(); ++count) {
     if (count % 4096 == 0) work.poll();

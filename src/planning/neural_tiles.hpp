@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
-#include "planning/landscape.hpp"
-#include "planning/neural_map_options.hpp"
-#include "planning/tile_kernel.hpp"
+#include "planning/tile_solver.hpp"
 
 namespace meander {
+
+/// Is it for tiles: a rectangular lattice where cost is length?
+bool fits_tiles(const PlanningProblem& problem, const NeuralMapOptions& options);
+/// Do the tiles fall into units so small that the active list is faster?
+bool is_maze(const TileMap& map);
 
 /// [LM99+] The equilibrium on a rectangular lattice where cost is length: tiles of 16 x 16 cells whose rows fill whole
 /// registers, taken up in the order of what they have to tell. The same bits with every kernel and number of threads.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace meander {
 namespace {
@@ -61,7 +62,7 @@ TileBits turned(const TileBits& rows) {
   return columns;
 }
 
-void add_units(TileMap& map, std::int32_t s, Corners corners) {
+void add_parts(TileMap& map, std::int32_t s, Corners corners) {
   TileBits rest = map.open[static_cast<std::size_t>(s)];
   if (all(rest)) {
     map.units.push_back({.slot = s, .full = true, .size = TileMap::kCells, .rows = rest, .columns = rest});
@@ -74,6 +75,26 @@ void add_units(TileMap& map, std::int32_t s, Corners corners) {
     for (const std::uint16_t row : part) size += std::popcount(row);
     map.units.push_back({.slot = s, .size = static_cast<std::uint16_t>(size), .rows = part, .columns = turned(part)});
   }
+}
+
+void add_units(TileMap& map, std::int32_t s) {
+  TileMap::Range& range = map.units_in[static_cast<std::size_t>(s)];
+  range.first = static_cast<std::int32_t>(map.units.size());
+  add_parts(map, s, map.corners);
+  range.end = static_cast<std::int32_t>(map.units.size());
+}
+
+std::int32_t add_slot(TileMap& map, std::int32_t t) {
+  const auto s = static_cast<std::int32_t>(map.tile.size());
+  map.slot[static_cast<std::size_t>(t)] = s;
+  map.tile.push_back(t);
+  map.open.emplace_back();
+  map.units_in.emplace_back();
+  return s;
+}
+
+TileBits open_in_tile(const TileMap& map, const Grid<std::uint8_t>& blocked, std::int32_t t) {
+  return open_cells(blocked, (t % map.across - 1) * kTile, (t / map.across - 1) * kTile);
 }
 
 /// Row r of the unit, -1 and 16 included, with a cell of the tiles beside it to either side: 18 bits.
@@ -90,6 +111,7 @@ std::uint32_t wide_row(const TileMap& map, const TileUnit& unit, int r) {
 
 /// Notes where diagonals are closed by a corner, if any is.
 void add_links(TileMap& map, TileUnit& unit) {
+  const std::int32_t old = std::exchange(unit.links, -1);
   TileMap::Links links;
   bool closed = false;
   std::uint32_t lower = wide_row(map, unit, -1);
@@ -103,15 +125,35 @@ void add_links(TileMap& map, TileUnit& unit) {
   if (!closed) return;
   for (std::size_t r = 0; r <= kTile; ++r)
     for (std::size_t p = 0; p <= kTile; ++p) links.columns[p] |= (links.rows[r] >> p & 1) << r;
-  unit.links = static_cast<std::int32_t>(map.links.size());
-  map.links.push_back(links);
+  unit.links = old >= 0 ? old : static_cast<std::int32_t>(map.links.size());
+  if (old < 0) map.links.emplace_back();
+  map.links[static_cast<std::size_t>(unit.links)] = links;
 }
 
 void add_reach(const TileMap& map, TileUnit& unit) {
+  unit.across = {};
   for (int side = 0; side < 4; ++side)
     map.for_each_unit(map.slot_beside(unit.slot, side), [&](std::int32_t, const TileUnit& other) {
       unit.across[static_cast<std::size_t>(side)] |= static_cast<std::uint16_t>(bits_across(map, unit, side, other));
     });
+}
+
+/// What the unit's cells had as cells of the units that were there before, in the highest exponent of those.
+void inherit(TileUnit& unit, const std::vector<TileUnit>& old, const TileCells& values, TileCells& cells) {
+  const auto common = [&](const TileUnit& other, auto visit) {
+    if (other.exponent == TileUnit::kAsleep) return;
+    for (std::size_t r = 0; r < kTile; ++r)
+      for (std::uint32_t rest = unit.rows[r] & other.rows[r]; rest != 0; rest &= rest - 1)
+        visit(static_cast<int>(r), std::countr_zero(rest));
+  };
+  for (const TileUnit& other : old)
+    common(other, [&](int, int) {
+      unit.exponent = std::max(unit.exponent, other.exponent);
+      unit.hops = other.hops;
+    });
+  for (const TileUnit& other : old)
+    common(other, [&](int r, int x) { cells.cell[r][x] = other.exponent == unit.exponent ? values.cell[r][x] : 0; });
+  for (int r = 0; r < kTile; ++r) cells.side[0][r] = cells.cell[r][0], cells.side[1][r] = cells.cell[r][kTile - 1];
 }
 
 }  // namespace
@@ -125,21 +167,18 @@ TileMap tile_map(const PlanningProblem& problem, const Work& work) {
   map.slot.assign(static_cast<std::size_t>(map.across) * static_cast<std::size_t>(map.up), 0);
   map.tile = {0};
   map.open = {TileBits{}};
-  map.first_unit = {0};
+  map.units_in = {{}};
   for (int y = 1; y < map.up - 1; ++y) {
     work.poll();
     for (int x = 1; x < map.across - 1; ++x) {
-      const TileBits open = open_cells(blocked, (x - 1) * kTile, (y - 1) * kTile);
+      const std::int32_t t = y * map.across + x;
+      const TileBits open = open_in_tile(map, blocked, t);
       if (!any(open)) continue;
-      const auto s = static_cast<std::int32_t>(map.tile.size());
-      map.slot[static_cast<std::size_t>(y * map.across + x)] = s;
-      map.tile.push_back(y * map.across + x);
-      map.open.push_back(open);
-      map.first_unit.push_back(static_cast<std::int32_t>(map.units.size()));
-      add_units(map, s, problem.corners);
+      const std::int32_t s = add_slot(map, t);
+      map.open[static_cast<std::size_t>(s)] = open;
+      add_units(map, s);
     }
   }
-  map.first_unit.push_back(static_cast<std::int32_t>(map.units.size()));
   if (problem.corners == Corners::keep)
     for (TileUnit& unit : map.units) add_links(map, unit);
   for (TileUnit& unit : map.units) {
@@ -148,6 +187,51 @@ TileMap tile_map(const PlanningProblem& problem, const Work& work) {
   }
   map.cells.assign(map.tile.size(), {});
   return map;
+}
+
+void recut(TileMap& map, const PlanningProblem& problem, std::int32_t tile) {
+  std::int32_t s = map.slot[static_cast<std::size_t>(tile)];
+  const TileBits open = open_in_tile(map, problem.blocked, tile);
+  if (s == 0) {
+    if (!any(open)) return;
+    s = add_slot(map, tile);
+    map.cells.emplace_back();
+  }
+  const auto slot = static_cast<std::size_t>(s);
+  const TileMap::Range before = map.units_in[slot];
+  const std::vector<TileUnit> old(map.units.begin() + before.first, map.units.begin() + before.end);
+  for (std::int32_t u = before.first; u < before.end; ++u) map.units[static_cast<std::size_t>(u)] = {.slot = s};
+  map.open[slot] = open;
+  add_units(map, s);
+  const TileCells values = std::exchange(map.cells[slot], {});
+  for (std::int32_t u = map.units_in[slot].first; u < map.units_in[slot].end; ++u)
+    inherit(map.units[static_cast<std::size_t>(u)], old, values, map.cells[slot]);
+}
+
+void reconnect(TileMap& map, std::int32_t tile) {
+  const TileMap::Range range = map.units_in[static_cast<std::size_t>(map.slot[static_cast<std::size_t>(tile)])];
+  for (std::int32_t u = range.first; u < range.end; ++u) {
+    TileUnit& unit = map.units[static_cast<std::size_t>(u)];
+    if (map.corners == Corners::keep) add_links(map, unit);
+    add_reach(map, unit);
+  }
+}
+
+void compact(TileMap& map) {
+  std::vector<TileUnit> units;
+  std::vector<TileMap::Links> links;
+  for (TileMap::Range& range : map.units_in) {
+    const auto first = static_cast<std::int32_t>(units.size());
+    for (std::int32_t u = range.first; u < range.end; ++u) {
+      TileUnit& unit = units.emplace_back(map.units[static_cast<std::size_t>(u)]);
+      if (unit.links < 0) continue;
+      links.push_back(map.links[static_cast<std::size_t>(unit.links)]);
+      unit.links = static_cast<std::int32_t>(links.size()) - 1;
+    }
+    range = {first, static_cast<std::int32_t>(units.size())};
+  }
+  map.units = std::move(units);
+  map.links = std::move(links);
 }
 
 }  // namespace meander

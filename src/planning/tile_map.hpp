@@ -27,7 +27,8 @@ struct TileUnit {
   std::uint8_t sides = 0;   ///< where something changed: bit TileScratch::Side
   bool full = false;        ///< all 256 cells
   bool fresh = false;       ///< holds a target of which nobody has heard yet
-  std::uint16_t size = 0;   ///< cells
+  std::uint16_t size = 0;   ///< cells; 0: an edit has put others in its place
+  std::int32_t hops = 0;    ///< units on the way to the nearest target, where edits are followed
   TileBits rows{}, columns{};
   std::array<std::uint16_t, 4> across{};  ///< by Side: where units of the neighbouring tile are connected with it
 };
@@ -40,19 +41,24 @@ struct TileMap {
     std::array<std::uint32_t, kTile + 1> rows{}, columns{};
   };
 
+  struct Range {
+    std::int32_t first = 0, end = 0;
+  };
+
   Corners corners = Corners::keep;
   int across = 0;  ///< tiles in a row, with the rim
   int up = 0;
-  std::size_t cell_count = 0;            ///< open cells
-  std::vector<std::int32_t> slot;        ///< of each tile
-  std::vector<std::int32_t> tile;        ///< of each slot
-  std::vector<std::int32_t> first_unit;  ///< of each slot, and one more
-  std::vector<TileBits> open;            ///< of each slot: the open cells, row by row
-  std::vector<TileUnit> units;           ///< in the order of the slots
+  std::size_t cell_count = 0;      ///< open cells
+  std::vector<std::int32_t> slot;  ///< of each tile
+  std::vector<std::int32_t> tile;  ///< of each slot
+  std::vector<Range> units_in;     ///< of each slot
+  std::vector<TileBits> open;      ///< of each slot: the open cells, row by row
+  std::vector<TileUnit> units;     ///< those of a slot side by side
   std::vector<Links> links;
   std::vector<TileCells> cells;  ///< of each slot
 
   TileCells& cells_of(std::int32_t s) { return cells[static_cast<std::size_t>(s)]; }
+  const TileCells& cells_of(std::int32_t s) const { return cells[static_cast<std::size_t>(s)]; }
   /// The slot beyond a side of another, by TileScratch::Side; and beyond a corner.
   std::int32_t slot_beside(std::int32_t s, int side) const {
     const std::int32_t steps[4] = {-across, across, -1, 1};
@@ -64,18 +70,26 @@ struct TileMap {
   }
   template <class Visit>
   void for_each_unit(std::int32_t s, Visit visit) const {
-    const std::int32_t end = first_unit[static_cast<std::size_t>(s) + 1];
-    for (std::int32_t u = first_unit[static_cast<std::size_t>(s)]; u < end; ++u)
-      visit(u, units[static_cast<std::size_t>(u)]);
+    const Range range = units_in[static_cast<std::size_t>(s)];
+    for (std::int32_t u = range.first; u < range.end; ++u) visit(u, units[static_cast<std::size_t>(u)]);
   }
   std::int32_t tile_of(Cell cell) const { return (cell.y / kTile + 1) * across + cell.x / kTile + 1; }
   /// The unit that holds bit x of row y of the slot; -1: none.
   std::int32_t unit_at(std::int32_t s, int x, int y) const {
-    for (std::int32_t u = first_unit[static_cast<std::size_t>(s)]; u < first_unit[static_cast<std::size_t>(s) + 1]; ++u)
+    const Range range = units_in[static_cast<std::size_t>(s)];
+    for (std::int32_t u = range.first; u < range.end; ++u)
       if ((units[static_cast<std::size_t>(u)].rows[static_cast<std::size_t>(y)] >> x & 1) != 0) return u;
     return -1;
   }
 };
+
+/// Is the unit's cell in corner c connected with the tile across? Bit 0 of c: right, bit 1: above.
+inline bool corner_open(const TileMap& map, const TileUnit& unit, int c) {
+  const bool right = (c & 1) != 0, up = (c & 2) != 0;
+  if ((unit.rows[up ? kTile - 1 : 0] >> (right ? kTile - 1 : 0) & 1) == 0) return false;
+  return unit.links < 0 ||
+         (map.links[static_cast<std::size_t>(unit.links)].rows[up ? kTile : 0] >> (right ? kTile : 0) & 1) != 0;
+}
 
 /// The unit's cells along one of its sides.
 inline std::uint32_t edge_bits(const TileUnit& unit, int side) {
@@ -99,6 +113,28 @@ inline std::uint32_t bits_across(const TileMap& map, const TileUnit& unit, int s
   return (reach & bits) != 0 ? bits : 0;
 }
 
+/// Calls visit(number) for all units that are connected with this one, some of them twice.
+template <class Visit>
+void for_each_neighbour(const TileMap& map, const TileUnit& unit, Visit visit) {
+  for (int side = 0; side < 4; ++side)
+    map.for_each_unit(map.slot_beside(unit.slot, side), [&](std::int32_t u, const TileUnit& other) {
+      if (bits_across(map, unit, side, other) != 0) visit(u);
+    });
+  for (int c = 0; c < 4; ++c) {
+    if (!corner_open(map, unit, c)) continue;
+    const std::int32_t u =
+        map.unit_at(map.slot_at_corner(unit.slot, c), (c & 1) != 0 ? 0 : kTile - 1, (c & 2) != 0 ? 0 : kTile - 1);
+    if (u >= 0) visit(u);
+  }
+}
+
 TileMap tile_map(const PlanningProblem& problem, const Work& work = {});
+
+/// The tile's units anew, from the map as it is now. They keep what activation their cells had. Their connections, and
+/// those of the tiles around, are to be found anew by reconnect().
+void recut(TileMap& map, const PlanningProblem& problem, std::int32_t tile);
+void reconnect(TileMap& map, std::int32_t tile);
+/// Forgets units that have been replaced: all others get other numbers.
+void compact(TileMap& map);
 
 }  // namespace meander

@@ -28,14 +28,6 @@ constexpr AllLinks kAllLinks;
 
 constexpr Side opposite(int side) { return static_cast<Side>(side ^ 1); }
 
-/// Is the unit's cell in corner c connected with the tile across? Bit 0 of c: right, bit 1: above.
-bool corner_open(const TileMap& map, const TileUnit& unit, int c) {
-  const bool right = (c & 1) != 0, up = (c & 2) != 0;
-  if ((unit.rows[up ? kTile - 1 : 0] >> (right ? kTile - 1 : 0) & 1) == 0) return false;
-  return unit.links < 0 ||
-         (map.links[static_cast<std::size_t>(unit.links)].rows[up ? kTile : 0] >> (right ? kTile : 0) & 1) != 0;
-}
-
 /// The activation along one side of a tile.
 const double* line_of(const TileCells& cells, int side) {
   switch (side) {
@@ -63,7 +55,7 @@ std::int32_t urgency(std::int32_t exponent, double value, int change_bits) {
   return (-(exponent + bits_of(value)) - kPatience * change_bits) >> kCoarse;
 }
 
-/// 2^(512 blocks) for neighbours whose block is other than ours.
+/// 2^(512 blocks), for blocks that are near to each other.
 double block_factor(std::int32_t blocks) {
   return blocks == 0 ? 1 : blocks == 1 ? 0x1p512 : blocks == -1 ? 0x1p-512 : 0;
 }
@@ -80,6 +72,10 @@ void TileStep::scale(TileUnit& unit, int blocks) const {
     cells.side[0][r] = cells.cell[r][0];
     cells.side[1][r] = cells.cell[r][kTile - 1];
   }
+}
+
+void TileStep::rebase(TileUnit& unit) const {
+  if (unit.exponent != 0) scale(unit, -unit.exponent / kBlock);
 }
 
 /// What the other unit's numbers, of which `value` is the highest that matters, are to be multiplied with in our block.
@@ -133,7 +129,7 @@ void TileStep::gather(TileUnit& unit, TileScratch& scratch) const {
   }
   const auto slot = static_cast<std::size_t>(unit.slot);
   scratch.home = &map.cells_of(unit.slot);
-  scratch.shared = map.first_unit[slot + 1] - map.first_unit[slot] > 1;
+  scratch.shared = map.units_in[slot].end - map.units_in[slot].first > 1;
   scratch.full = unit.full;
   scratch.fresh = unit.fresh;
   scratch.open[0] = unit.rows.data();
@@ -218,14 +214,20 @@ void TileStep::tell_corner(const TileUnit& unit, int c, const TileScratch& scrat
        1 << (up ? Side::below : Side::above) | 1 << (right ? Side::left : Side::right), outcome);
 }
 
-std::int32_t TileStep::place(std::int32_t number) const {
-  const TileUnit& unit = map.units[static_cast<std::size_t>(number)];
+double TileStep::highest_of(const TileUnit& unit) const {
   const TileCells& cells = map.cells_of(unit.slot);
   double highest = 0;
   for (int r = 0; r < kTile; ++r)
     for_each_bit(unit.rows[static_cast<std::size_t>(r)], [&](int x) { highest = std::max(highest, cells.cell[r][x]); });
-  return urgency(unit.exponent, highest, 0);
+  return highest;
 }
+
+std::int32_t TileStep::place(std::int32_t number) const {
+  const TileUnit& unit = map.units[static_cast<std::size_t>(number)];
+  return urgency(unit.exponent, highest_of(unit), 0);
+}
+
+bool TileStep::is_steep(const TileUnit& unit) const { return unit.exponent == 0 && highest_of(unit) > kBend; }
 
 double TileStep::residual(std::int32_t number, TileScratch& scratch) const {
   TileUnit& unit = map.units[static_cast<std::size_t>(number)];

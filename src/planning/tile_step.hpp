@@ -47,6 +47,11 @@ struct TileStep {
   /// The key under which the unit waits for a change of all it has.
   std::int32_t place(std::int32_t unit) const;
 
+  /// Has it activation for which tanh bends?
+  bool is_steep(const TileUnit& unit) const;
+  /// Brings the unit to exponent 0.
+  void rebase(TileUnit& unit) const;
+
  private:
   /// Neighbours whose exponents are higher.
   struct Above {
@@ -59,6 +64,7 @@ struct TileStep {
   double gather_corner(const TileUnit& unit, int c, Above& above) const;
   double factor_of(const TileUnit& unit, const TileUnit& other, double value, Above& above) const;
   void scale(TileUnit& unit, int blocks) const;
+  double highest_of(const TileUnit& unit) const;
   void bend(TileUnit& unit, const TileScratch& scratch) const;
   void tell(const TileUnit& unit, std::int32_t other, double value, int change_bits, int sides,
             TileOutcome& outcome) const;

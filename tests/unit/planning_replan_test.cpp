@@ -57,6 +57,41 @@ TEST(NeuralReplanner, EditsGiveWhatASolveFromScratchGives) {
     }
 }
 
+/// Rooms whose doors open and shut, targets blocked and freed, walls broken: on tiles and held against the active list.
+TEST(NeuralReplanner, ManyEditsOnTilesStayExact) {
+  for (const Corners corners : {Corners::keep, Corners::cut})
+    for (const std::uint64_t seed : {2310, 2311}) {
+      PlanningProblem problem = problem_on(rooms(150, 130, 25, seed), seed);
+      problem.corners = corners;
+      problem.targets.push_back({140, 120});
+      Stream random(seed, "edits");
+      NeuralReplanner replanner(problem);
+      std::int64_t updates = 0, from_scratch = 0;
+      for (int i = 0; i < 60; ++i) {
+        std::vector<CellEdit> edits = random_edit(problem.blocked, {-1, -1}, random);
+        if (i % 5 == 0) edits = {{problem.targets[1], i % 10 == 0}};
+        if (i % 5 == 1) edits.assign({{{24, 3 + i}, i % 10 == 1}, {{24, 4 + i}, i % 10 == 1}});
+        replanner.edit(edits);
+        updates += replanner.last_relaxations();
+        const PlanningResult fresh = neural_map(replanner.problem(), {.solver = NeuralSolver::active_list});
+        from_scratch += neural_map(replanner.problem()).statistics.relaxations;
+        const PlanningResult followed = replanner.landscape();
+        EXPECT_LT(followed.statistics.residual, 1e-6);
+        EXPECT_EQ(followed.statistics.dead_units, 0);
+        EXPECT_EQ(followed.statistics.cells, fresh.statistics.cells);
+        expect_alike(followed.value, fresh.value);
+      }
+      EXPECT_LT(updates, from_scratch / 2);
+    }
+}
+
+TEST(NeuralReplanner, FarEditsCostLittle) {
+  NeuralReplanner replanner({.blocked = open_floor(400, 400), .targets = {{3, 3}}});
+  const std::int64_t all = replanner.last_relaxations();
+  replanner.edit(std::vector<CellEdit>{{{390, 390}, true}});
+  EXPECT_LT(replanner.last_relaxations(), all / 50);
+}
+
 TEST(NeuralReplanner, ARegionThatIsCutOffIsEmptyAtOnceAndComesBack) {
   PlanningProblem problem{.blocked = open_floor(60, 40), .targets = {{3, 3}}};
   for (int y = 0; y < 40; ++y) problem.blocked[{30, y}] = y == 20 ? 0 : 1;

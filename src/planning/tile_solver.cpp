@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: the meander authors
+#include "planning/tile_solver.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "planning/extended.hpp"
+
+namespace meander {
+namespace {
+
+constexpr std::uint8_t kAllSides = 0xf;
+
+/// Of the best over-relaxation of the open, cell by cell.
+double over_relaxation(double steepness) {
+  const double root = std::sqrt(1 - steepness * steepness);
+  return 1 + (1 - root) / (1 + root);
+}
+
+}  // namespace
+
+TileSolver::TileSolver(TileMap map, const NeuralMapOptions& options, const TileKernel& kernel)
+    : options_(options),
+      map_(std::move(map)),
+      step_{map_, kernel, curves_, options.steepness / (4 + 2 * std::numbers::sqrt2),
+            over_relaxation(options.steepness)},
+      taken_(map_.tile.size(), 0) {
+  const int cores = tbb::info::default_concurrency();
+  arena_.initialize(options.threads > 0 ? std::min(options.threads, cores) : cores);
+}
+
+void TileSolver::solve(const PlanningProblem& problem, const Work& work) {
+  for (const Cell target : free_targets(problem)) {
+    plant(target);
+    push(unit_of(target), 0, kAllSides);
+  }
+  settle(work);
+}
+
+void TileSolver::settle(const Work& work) {
+  double threshold =
+      options_.tolerance / 20;  // a direction is wrong where two neighbours differ by less than the error
+  do {
+    run(threshold, work);
+    threshold /= 2;
+  } while (verify(work) > 0.9 * options_.tolerance);
+}
+
+std::int32_t TileSolver::unit_of(Cell cell) const {
+  return map_.unit_at(map_.slot[static_cast<std::size_t>(map_.tile_of(cell))], cell.x % kTile, cell.y % kTile);
+}
+
+/// Activation 1 for ever.
+void TileSolver::plant(Cell target) {
+  const int x = target.x % kTile, y = target.y % kTile;
+  TileUnit& home = unit(unit_of(target));
+  if (home.exponent == TileUnit::kAsleep) home.exponent = 0, ++awake_;
+  step_.rebase(home);
+  home.fresh = true;
+  TileCurve& curve = curve_of(home);
+  curve.gain[y][x] = 0;
+  curve.hold[y][x] = 1;
+  TileCells& cells = map_.cells_of(home.slot);
+  cells.cell[y][x] = 1;
+  if (x == 0) cells.side[0][y] = 1;
+  if (x == kTile - 1) cells.side[1][y] = 1;
+}
+
+TileCurve& TileSolver::curve_of(TileUnit& unit) {
+  if (unit.curve < 0) {
+    unit.curve = static_cast<std::int32_t>(curves_.size());
+    TileCurve& curve = curves_.emplace_back();
+    for (int r = 0; r < kTile; ++r)
+      for (int x = 0; x < kTile; ++x) curve.gain[r][x] = 1, curve.hold[r][x] = 1 - step_.omega;
+  }
+  return curves_[static_cast<std::size_t>(unit.curve)];
+}
+
+void TileSolver::push(std::int32_t number, std::int32_t key, std::uint8_t sides) {
+  TileUnit& pushed = unit(number);
+  pushed.sides |= sides;
+  if (std::max(key, queue_.turn()) < pushed.key) pushed.key = queue_.push(number, key);
+}
+
+/// In rounds, so that the order does not depend on who does it: all units of a bucket, those of every second tile of
+/// every second row together, because none of them sees another.
+void TileSolver::run(double threshold, const Work& work) {
+  std::vector<std::int32_t> bucket, together;
+  while (queue_.pop(bucket)) {
+    work.poll();
+    for (int colour = 0; colour < 4; ++colour) {
+      take_colour(bucket, colour, together);
+      relax_together(together, threshold);
+    }
+    work.report(std::min(1.0, static_cast<double>(awake_) / static_cast<double>(map_.units.size())), "neural map");
+  }
+}
+
+/// Of units in the same tile only the first is taken, the others come with the next round.
+void TileSolver::take_colour(const std::vector<std::int32_t>& bucket, int colour, std::vector<std::int32_t>& together) {
+  together.clear();
+  ++round_;
+  for (const std::int32_t number : bucket) {
+    TileUnit& unit = map_.units[static_cast<std::size_t>(number)];
+    const std::int32_t tile = map_.tile[static_cast<std::size_t>(unit.slot)];
+    if ((tile % map_.across % 2 + tile / map_.across % 2 * 2) != colour) continue;
+    if (unit.key != queue_.turn()) continue;  // it was taken up before
+    unit.key = std::numeric_limits<std::int32_t>::max();
+    if (std::exchange(taken_[static_cast<std::size_t>(unit.slot)], round_) == round_)
+      push(number, queue_.turn(), 0);
+    else
+      together.push_back(number);
+  }
+}
+
+void TileSolver::relax_together(const std::vector<std::int32_t>& units, double threshold) {
+  if (outcomes_.size() < units.size()) outcomes_.resize(units.size());
+  const auto relax = [&](std::size_t from, std::size_t to) {
+    TileScratch scratch;
+    for (std::size_t i = from; i < to; ++i) {
+      outcomes_[i].count = 0;
+      outcomes_[i].relaxations = 0;
+      step_.relax(units[i], threshold, scratch, outcomes_[i]);
+    }
+  };
+  constexpr std::size_t kWorthIt = 8;
+  if (options_.threads == 1 || units.size() < kWorthIt)
+    relax(0, units.size());
+  else
+    arena_.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, units.size(), kWorthIt / 2),
+                        [&](const auto& range) { relax(range.begin(), range.end()); });
+    });
+  for (std::size_t i = 0; i < units.size(); ++i) hear(outcomes_[i]);
+}
+
+void TileSolver::hear(const TileOutcome& outcome) {
+  relaxations_ += outcome.relaxations;
+  for (int i = 0; i < outcome.count; ++i) {
+    const TileNews& news = outcome.news[static_cast<std::size_t>(i)];
+    TileUnit& unit = map_.units[static_cast<std::size_t>(news.unit)];
+    if (unit.exponent == TileUnit::kAsleep) unit.exponent = news.exponent, ++awake_;
+    if (news.steep) curve_of(unit);
+    push(news.unit, news.key, news.sides);
+  }
+}
+
+/// Takes up again what is not within the tolerance; returns the largest relative error.
+double TileSolver::verify(const Work& work) {
+  residual_ = 0;
+  queue_ = {};
+  for (std::int32_t u = 0; u < static_cast<std::int32_t>(map_.units.size()); ++u) {
+    if (u % 256 == 0) work.poll();
+    if (map_.units[static_cast<std::size_t>(u)].exponent == TileUnit::kAsleep) continue;
+    const double error = step_.residual(u, scratch_);
+    residual_ = std::max(residual_, error);
+    if (error > 0.9 * options_.tolerance) push(u, step_.place(u), kAllSides);
+  }
+  return residual_;
+}
+
+PlanningResult TileSolver::landscape(const PlanningProblem& problem, const Work& work) const {
+  const Grid<std::uint8_t>& blocked = problem.blocked;
+  PlanningResult result{.value = Grid<double>(blocked.width(), blocked.height(), kNoValue, blocked.frame)};
+  for (const TileUnit& unit : map_.units) {
+    if (unit.slot % 64 == 0) work.poll();
+    if (unit.exponent == TileUnit::kAsleep) continue;
+    const std::int32_t t = map_.tile[static_cast<std::size_t>(unit.slot)];
+    const int left = (t % map_.across - 1) * kTile, low = (t / map_.across - 1) * kTile;
+    const TileCells& cells = map_.cells_of(unit.slot);
+    const double offset = unit.exponent * std::numbers::ln2;
+    for (int y = 0; y < kTile; ++y) {
+      if (unit.rows[static_cast<std::size_t>(y)] == 0) continue;
+      double* row = &result.value[{left, low + y}];
+      for (int x = 0; x < kTile; ++x)
+        if ((unit.rows[static_cast<std::size_t>(y)] >> x & 1) == 0) {
+          continue;
+        } else if (cells.cell[y][x] > 0) {
+          row[x] = natural_log(cells.cell[y][x]) + offset;
+        } else {
+          ++result.statistics.dead_units;
+        }
+    }
+    result.statistics.cells += unit.size;
+  }
+  result.statistics.relaxations = relaxations_;
+  result.statistics.residual = residual_;
+  return result;
+}
+
+}  // namespace meander
