@@ -40,13 +40,24 @@ Planner planner_by_name(const std::string& name) {
   fail("unknown planner '{}'{} (known: {})", name, did_you_mean(name, planner_names()), listing(planner_names()));
 }
 
+/// What only some can do.
+void check_supported(const PlanningProblem& problem, const std::string& name, Planner planner) {
+  if (planner != by_harmonic && planner != plain<theta_star>) return;
+  if (problem.lattice != Lattice::rectangular)
+    fail("planner '{}': lattice 'rectangular' expected, got '{}'", name, to_string(problem.lattice));
+  if (!problem.even()) fail("planner '{}': no difficulty and no drag expected: it takes length for cost", name);
+}
+
 }  // namespace
+
+void check_planner(const std::string& name) { planner_by_name(name); }
 
 PlanningResult solve(const PlanningProblem& problem, const std::string& planner, const PlannerOptions& options,
                      const Work& work) {
   const Planner chosen = planner_by_name(planner);
   validate(options.neural_map);
   validate(options.harmonic);
+  check_supported(problem, planner, chosen);
   // A search finds out by itself whether a way leads there.
   const bool search = chosen == plain<astar> || chosen == plain<theta_star>;
   std::string reason = search ? bad_place_reason(problem) : no_path_reason(problem, work);

@@ -20,5 +20,7 @@ PlanningResult solve(const PlanningProblem& problem, const std::string& planner,
 
 /// neural_map, distance_transform, harmonic, astar, theta_star.
 std::vector<std::string> planner_names();
+/// Throws ArgumentError unless it is one of these.
+void check_planner(const std::string& name);
 
 }  // namespace meander

@@ -10,11 +10,18 @@
 namespace meander {
 namespace {
 
-/// Calls visit(cell) for the cells whose centres lie in the box [m].
+/// Calls visit(cell) for the cells whose centres lie in the box [m]. Of a map that lies askew, too: its corners tell
+/// which cells to look at.
 template <class Visit>
 void cells_in(const Grid<std::uint8_t>& grid, const Box& box, Visit visit) {
-  for (int y = 0; y < grid.height(); ++y)
-    for (int x = 0; x < grid.width(); ++x)
+  Cell first{grid.width(), grid.height()}, last{-1, -1};
+  for (const Vec2& corner : {box.low, box.high, Vec2(box.low.x(), box.high.y()), Vec2(box.high.x(), box.low.y())}) {
+    const Cell cell = grid.frame.cell(corner);
+    first = {std::min(first.x, cell.x), std::min(first.y, cell.y)};
+    last = {std::max(last.x, cell.x), std::max(last.y, cell.y)};
+  }
+  for (int y = std::max(first.y, 0); y <= std::min(last.y, grid.height() - 1); ++y)
+    for (int x = std::max(first.x, 0); x <= std::min(last.x, grid.width() - 1); ++x)
       if (box.contains(grid.frame.center({x, y}))) visit(Cell{x, y});
 }
 
@@ -83,15 +90,16 @@ void set_solid(PlanningMap& map, const Box& box, bool solid) {
 }
 
 void set_difficulty(PlanningMap& map, const Box& box, double difficulty) {
-  if (!(difficulty > 0) || !std::isfinite(difficulty))
-    fail("difficulty: a finite number > 0 expected, got {}", difficulty);
+  if (!(difficulty >= kLeastDifficulty && difficulty <= kMostDifficulty))
+    fail("difficulty: a number from {} to {} expected, got {}", kLeastDifficulty, kMostDifficulty, difficulty);
   give_all(map.difficulty, map.solid, 1.0F);
   cells_in(map.solid, box, [&](Cell cell) { map.difficulty[cell] = static_cast<float>(difficulty); });
   ++map.version;
 }
 
 void set_drag(PlanningMap& map, const Box& box, const Vec2& drag) {
-  if (!(drag.norm() < 1)) fail("drag: a vector shorter than 1 expected, got ({}, {})", drag.x(), drag.y());
+  if (!(drag.norm() <= kMostDrag))
+    fail("drag: a vector of length up to {} expected, got ({}, {})", kMostDrag, drag.x(), drag.y());
   give_all(map.drag, map.solid, Eigen::Vector2f(0, 0));
   cells_in(map.solid, box, [&](Cell cell) { map.drag[cell] = drag.cast<float>(); });
   ++map.version;

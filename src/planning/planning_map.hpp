@@ -41,8 +41,12 @@ void fields(Options& o, Visitor&& visit) {
 /// A map of probabilities that something stands there. What is not a number from 0 to 1 is unknown.
 PlanningMap map_from_occupancy(const Grid<float>& probability, const OccupancyOptions& options = {});
 
-/// The same cells with a difficulty (or drag) for each, for the first edit of it.
+/// What single precision can still add up along a way.
+inline constexpr double kLeastDifficulty = 0.001, kMostDifficulty = 1000, kMostDrag = 0.999;
+
 void set_solid(PlanningMap& map, const Box& box, bool solid);
+/// The same cells with a difficulty (or drag) for each, for the first edit of it. Out of range: an ArgumentError, and
+/// the map stays as it was.
 void set_difficulty(PlanningMap& map, const Box& box, double difficulty);
 void set_drag(PlanningMap& map, const Box& box, const Vec2& drag);
 

@@ -35,8 +35,9 @@ std::string trouble(const PlanningProblem& problem, const char* what, Cell cell)
     return fmt::format("{} in cell {} lies outside of the map of {} x {} cells", what, at(problem, cell),
                        problem.blocked.width(), problem.blocked.height());
   if (problem.blocked[cell] == 0) return {};
-  if (problem.robot_radius > 0 && problem.solid()[square_of(problem, cell)] == 0)
-    return fmt::format("{} in cell {} is nearer to a wall than the robot's radius", what, at(problem, cell));
+  if (problem.solid()[square_of(problem, cell)] == 0)
+    return fmt::format("{} in cell {} is nearer to a wall than {}", what, at(problem, cell),
+                       problem.robot_radius > 0 ? "the robot's radius" : "half a step");
   return fmt::format("{} in cell {} lies in a wall", what, at(problem, cell));
 }
 

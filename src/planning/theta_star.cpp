@@ -63,7 +63,7 @@ PlanningResult theta_star(const PlanningProblem& problem, const Work& work) {
   GraphSearch search(problem);
   std::int64_t looked = 0;
   while (const std::optional<Cell> cell = search.next()) {
-    if (++looked % 256 == 1) work.poll();
+    if (++looked % 16 == 1) work.poll();
     if (search.is_target(*cell)) return search_result(problem, search, cell);
     const Cell before = search.parent(*cell);
     for (const LatticeStep& step : lattice_steps(problem.lattice)) {

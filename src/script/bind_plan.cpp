@@ -50,7 +50,6 @@ namespace {
 
 Planned plan(const PlanTable& table, const Call& call) {
   const PlanningTask task = task_of(table);
-  if (task.targets.empty()) fail("option 'target': missing, {{x, y}} expected, or a list of them as 'targets'");
   const auto map = map_of(table.source, call.work());
   return or_reason(std::make_shared<Plan>(
       make_plan(problem_on(*map, task, call.work()), table.planner, table.planners, table.path, call.work())));

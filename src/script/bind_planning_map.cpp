@@ -131,13 +131,13 @@ void bind_planning_map(lua_State* L) {
           Doc{.name = "set_difficulty",
               .text = "How hard it is to go through the cells of a box: cost of a way, for its length.",
               .args = {{"box", "where", "m"}, {"difficulty", "1 is usual; below 1: preferred"}},
-              .errors = "a number that is not > 0",
+              .errors = "a number that is not from 0.001 to 1000",
               .example = EXAMPLE_GRID "m:set_difficulty({{3, 0}, {4, 3}}, 5) print(m)"})
       .method<&set_drag>(
           Doc{.name = "set_drag",
               .text = "Inclines and preferred ways: a way in direction u costs 1 + drag . u times as much.",
-              .args = {{"box", "where", "m"}, {"drag", "uphill; shorter than 1"}},
-              .errors = "a vector of length 1 or more",
+              .args = {{"box", "where", "m"}, {"drag", "uphill; of length up to 0.999"}},
+              .errors = "a longer vector",
               .example = EXAMPLE_GRID "m:set_drag({{3, 0}, {4, 3}}, {0.5, 0}) print(m)"})
       .method<&solid>(Doc{.name = "solid",
                           .text = "Does something solid stand there?",

@@ -50,6 +50,7 @@ inline PlanningTask task_of(const PlanTable& table) {
   const World* world = table.source.world.get();
   if (table.target) task.targets.push_back(table.target->in(world).position);
   for (const SubgoalOption& target : table.targets) task.targets.push_back(target.in(world).position);
+  if (task.targets.empty()) fail("option 'target': missing, {{x, y}} expected, or a list of them as 'targets'");
   return task;
 }
 

@@ -71,6 +71,49 @@ describe("a plan", function()
     expect(why):equals "no path: the start in cell (10, 10) at (1.05, 1.05) m is cut off from the target in cell (70, 10) at (7.05, 1.05) m"
   end)
 
+  it("answers bad input in words, whoever plans, and changes nothing", function()
+    local walled, not_a_number = room(), 0 / 0
+    walled:block { { 3.9, 0 }, { 4.1, 4 } }
+    local cases = {
+      { "option 'target': missing", { start = { 1, 1 } } },
+      { "option 'target': missing", { start = { 1, 1 }, targets = {} } },
+      { "the target in cell %(40, 10%) at %(4.05, 1.05%) m lies in a wall", { start = { 1, 1 }, target = { 4, 1 } } },
+      { "no target can be stood on", { start = { 1, 1 }, targets = { { 4, 1 }, { 4, 2 } } } },
+      { "the start in cell %(40, 10%) at %(4.05, 1.05%) m lies in a wall", { start = { 4, 1 }, target = { 1, 1 } } },
+      { "lies outside of the map of 80 x 40 cells", { start = { 1, 1 }, target = { 1e300, 1 } } },
+      { "is cut off from the target in cell %(70, 10%)", { start = { 1, 1 }, target = { 7, 1 } } },
+      { "is nearer to a wall than the robot's radius", { start = { 1, 1 }, target = { 3.7, 1 }, robot_radius = 0.5 } },
+      { "option 'target': {x, y} expected", { start = { 1, 1 }, target = { not_a_number, 1 } } },
+      { "option 'robot_radius': a number from 0", { start = { 1, 1 }, target = { 3, 1 }, robot_radius = -1 } },
+      { "option 'steepness': a number from 0.35 to 0.9", { start = { 1, 1 }, target = { 3, 1 }, steepness = 1.2 } },
+      { "option 'resolution': a number from", { map = false, cells = { { 0 } }, resolution = 0, target = { 0, 0 } } },
+      { "map: at least one cell expected, got 0 x 1", { map = false, cells = { {} }, target = { 0, 0 } } },
+      { "rows of equal length expected", { map = false, cells = { { 0, 0 }, { 0 } }, target = { 0, 0 } } },
+    }
+    local before = meander.render.text(walled)
+    for _, planner in ipairs(meander.planning.planners()) do
+      for _, case in ipairs(cases) do
+        local options = { map = walled, planner = planner }
+        for key, value in pairs(case[2]) do options[key] = value or nil end
+        if case[2].map == false then options.map = nil end
+        local ok, plan, why = pcall(meander.planning.plan, options)
+        expect(ok and plan):equals(ok and nil)
+        expect(ok and why or plan):matches(case[1])
+      end
+      for _, cells in ipairs { { { 0 } }, { { 0, 0, 0 } }, { { 0 }, { 0 } } } do
+        local plan = meander.planning.plan {
+          cells = cells, resolution = 1, start = { 0.5, 0.5 }, target = { #cells[1] - 0.5, #cells - 0.5 }, planner = planner,
+        }
+        expect(plan.measures.length):equals(#cells[1] + #cells - 2)
+      end
+    end
+    for _, hard in ipairs { not_a_number, -1, 0, 1e300 } do
+      expect((pcall(walled.set_difficulty, walled, { { 0, 0 }, { 1, 1 } }, hard))):equals(false)
+    end
+    expect((pcall(walled.set_drag, walled, { { 0, 0 }, { 1, 1 } }, { 1, 0 }))):equals(false)
+    expect(meander.render.text(walled)):equals(before)
+  end)
+
   it("goes round what is hard and up no hill without need", function()
     local hard, steep = room(), room()
     local function lowest(map, planner)

@@ -63,6 +63,11 @@ TEST(PlanningProblem, MisuseIsAnError) {
   problem.start = Cell{0, 0};
   EXPECT_NE(complaint(problem, "theta_star").find("no difficulty and no drag expected"), std::string::npos);
   EXPECT_NE(complaint(problem, "harmonic").find("no difficulty and no drag expected"), std::string::npos);
+  problem.difficulty = {};
+  problem.lattice = Lattice::wide;
+  for (const char* planner : {"harmonic", "theta_star"})
+    EXPECT_EQ(complaint(problem, planner),
+              fmt::format("planner '{}': lattice 'rectangular' expected, got 'wide'", planner));
 }
 
 TEST(PlanningProblem, NoPathIsAReason) {
