@@ -45,7 +45,7 @@ std::int8_t ViewMemory::refined(std::int8_t before, float log_odds) const {
 /// What the sum tells more than before.
 float ViewMemory::add(std::int32_t& sum, int more) const {
   const std::int32_t was = std::clamp(sum, -kMost, kMost);
-  sum += more;
+  sum = std::clamp(sum + more, -kMostSum, kMostSum);
   return static_cast<float>(std::clamp(sum, -kMost, kMost) - was) * unit_;
 }
 

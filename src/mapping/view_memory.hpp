@@ -25,7 +25,7 @@ class ViewMemory {
     return (ring < rings_ ? ring : rings_ - 1) * sectors_ + sector;
   }
   /// What a scan adds to the evidence on the cell that lies at `at` in the window, which stays within the limit: the
-  /// opinions add up without one, so that a view which changes its mind takes back no more than it had said.
+  /// opinions add up beyond it, so that a view which changes its mind takes back no more than it had said.
   float increment(std::size_t at, int view, float log_odds);
   /// The same, and for who keeps evidence of everywhere what it adds to that.
   struct Increments {
@@ -49,6 +49,8 @@ class ViewMemory {
  private:
   static constexpr std::int8_t kNone = KeptViews::kNone;
   static constexpr std::int32_t kMost = 127;  ///< the limit, of opinions and of what is told of their sum
+  /// As much as three sure views: what many have held free is noticed in a few more, and one alone still decides nothing.
+  static constexpr std::int32_t kMostSum = 3 * kMost;
   static constexpr float kTurn = static_cast<float>(2 * kPi);
 
   std::int8_t refined(std::int8_t before, float log_odds) const;

@@ -167,6 +167,27 @@ TEST(LocalMap, ViewThatChangesItsMindTakesBackOnlyWhatItHadSaid) {
   EXPECT_NEAR(map.global()->log_odds(place), map.local().log_odds(place), 1e-5);
 }
 
+TEST(SonarMap, WhatManyViewsHeldFreeIsNoticedByThree) {
+  float told = -5;
+  SonarModel changing = telling(0);
+  changing.evaluate = [&told](const SonarSweep&, const CellPlaces&, std::span<float> out) {
+    std::fill(out.begin(), out.end(), told);
+  };
+  SonarMap map(nomad(), changing);
+  const Cell place{2, 3};
+  const auto look_from = [&](int k, double distance) {
+    const Vec2 at = map.local().center(place) + distance * Pose2{0, 0, 0.4 + k * kPi / 4}.direction();
+    for (int scan = 0; scan < 15; ++scan) map.update(seen_from({at.x(), at.y(), 0}));
+  };
+  for (int k = 0; k < 8; ++k)
+    for (const double distance : {0.6, 1.3}) look_from(k, distance);
+  EXPECT_NEAR(map.local().log_odds(place), -map.local().limit(), 0.01);
+  told = 5;
+  for (int k = 0; k < 3; ++k) look_from(k, 0.6);
+  EXPECT_NEAR(map.local().log_odds(place), map.local().limit(), 0.01);
+  EXPECT_NEAR(map.global()->log_odds(place), map.local().log_odds(place), 1e-4);
+}
+
 TEST(SonarMap, RefusedScanLeavesBothMapsAsTheyWere) {
   bool fails = false;
   SonarModel model = wavy();
