@@ -72,6 +72,7 @@ std::vector<MapPort> MapPerception::ports(const ConfigurationSpace& map, std::sp
                                           std::size_t which, const Vec2& goal) {
   if (which >= indicators.size())
     fail("ports: an indicator from 0 to {} expected, got {}", indicators.size() - 1, which);
+  goal_ways_.update(map, goal);
   cover(map, indicators, which);
   std::vector<Cell> shell, frontier;
   for (const Cell cell : own_.reached()) {
@@ -83,8 +84,8 @@ std::vector<MapPort> MapPerception::ports(const ConfigurationSpace& map, std::sp
     for (const std::vector<Cell>& piece : pieces(map, *members)) {
       const Cell at = middle(piece);
       MapPort port{.position = map.frame().center(at), .direction = 0, .way = own_.at(at), .bound = 0};
-      const Behind behind = members == &shell ? look_behind(map, piece, port.position, goal)
-                                              : Behind{true, (port.position - goal).norm()};
+      const Behind behind =
+          members == &shell ? look_behind(map, piece, port.position, goal) : look_on(map, piece, port.position);
       if (!behind.worth) continue;
       const Vec2 out = port.position - indicators[which];
       port.direction = angle_of(out.y(), out.x());
@@ -128,12 +129,24 @@ std::vector<Cell> MapPerception::connected(Cell seed, double most) {
   return piece;
 }
 
+/// What lies beyond a piece of the frontier.
+MapPerception::Behind MapPerception::look_on(const ConfigurationSpace& map, const std::vector<Cell>& piece,
+                                             const Vec2& at) const {
+  Behind behind{false, std::numeric_limits<double>::infinity()};
+  for (const Cell cell : piece) {
+    const Vec2 there = map.frame().center(cell);
+    behind.least_on = std::min(behind.least_on, (there - at).norm() + goal_ways_.least(there));
+  }
+  behind.worth = std::isfinite(behind.least_on);
+  return behind;
+}
+
 /// Floods what is free outside the ball, from the piece on, within the window.
 MapPerception::Behind MapPerception::look_behind(const ConfigurationSpace& map, const std::vector<Cell>& piece,
                                                  const Vec2& at, const Vec2& goal) {
   Behind behind{false, std::numeric_limits<double>::infinity()};
   const auto worth = [&](double least_on) {
-    behind.worth = true;
+    behind.worth = behind.worth || std::isfinite(least_on);
     behind.least_on = std::min(behind.least_on, least_on);
   };
   const Cell goal_cell = map.frame().cell(goal);
@@ -143,10 +156,10 @@ MapPerception::Behind MapPerception::look_behind(const ConfigurationSpace& map, 
     const Cell cell = queue_[i];
     const Vec2 there = map.frame().center(cell);
     if (cell == goal_cell) worth((at - goal).norm());
-    if (map.frontier(cell)) worth((there - at).norm() + (there - goal).norm());
+    if (map.frontier(cell)) worth((there - at).norm() + goal_ways_.least(there));
     for_neighbours(cell, [&](Cell next) {
       if (!map.free(next)) return;
-      if (!in_window(next)) return worth((at - goal).norm());  // more than can be seen from here
+      if (!in_window(next)) return worth(goal_ways_.least(at));  // more than can be seen from here
       if ((mark(next) & (kOwn | kVisited)) != 0) return;
       mark(next) |= kVisited;
       queue_.push_back(next);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/fields.hpp"
-#include "indicator/geodesic_field.hpp"
+#include "indicator/goal_ways.hpp"
 
 namespace meander {
 
@@ -45,8 +45,8 @@ class MapPerception {
   explicit MapPerception(const MapPerceptionOptions& options = {});
 
   /// The ports of indicator `which`: pieces of its ball's shell that no ball covers, behind which something is unknown
-  /// or the goal lies (a passage that is seen to be blind has none), and pieces of the frontier inside its own ball. A
-  /// cell belongs to the first indicator whose ball covers it.
+  /// from which a way may lead to the goal, or the goal lies (a passage that is seen to be blind has none), and such
+  /// pieces of the frontier inside its own ball. A cell belongs to the first indicator whose ball covers it.
   std::vector<MapPort> ports(const ConfigurationSpace& map, std::span<const Vec2> indicators, std::size_t which,
                              const Vec2& goal);
 
@@ -69,6 +69,7 @@ class MapPerception {
   std::vector<std::vector<Cell>> pieces(const ConfigurationSpace& map, const std::vector<Cell>& members);
   std::vector<Cell> connected(Cell seed, double most);
   Behind look_behind(const ConfigurationSpace& map, const std::vector<Cell>& piece, const Vec2& at, const Vec2& goal);
+  Behind look_on(const ConfigurationSpace& map, const std::vector<Cell>& piece, const Vec2& at) const;
   bool in_window(Cell cell) const {
     return std::abs(cell.x - center_.x) <= half_ && std::abs(cell.y - center_.y) <= half_;
   }
@@ -79,6 +80,7 @@ class MapPerception {
 
   MapPerceptionOptions options_;
   GeodesicField own_, other_;
+  GoalWays goal_ways_;
   Cell center_;
   int half_ = 0;                     ///< of the window, in cells
   std::vector<std::uint8_t> marks_;  ///< of the window's cells
