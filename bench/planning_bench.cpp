@@ -4,6 +4,7 @@
 // the same map, 8-connected, with buckets. Times per reachable cell, set-up and landscape included.
 #include <benchmark/benchmark.h>
 
+#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <limits>
@@ -132,10 +133,14 @@ BENCHMARK(dead_units)
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
 
-/// Wall time of one and two threads.
+/// Wall time of one and two threads, and how many processors were at work: 1 to 2.
 void threads(benchmark::State& state) {
   const PlanningProblem p = problem(2, static_cast<int>(state.range(0)));
+  const std::clock_t before = std::clock();
+  const auto start = std::chrono::steady_clock::now();
   for (auto _ : state) benchmark::DoNotOptimize(solve_tiles(p, {.threads = static_cast<int>(state.range(1))}));
+  const double busy = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+  state.counters["processors"] = busy / std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 BENCHMARK(threads)->ArgsProduct({{1000, 4096}, {1, 2}})->Iterations(1)->UseRealTime()->Unit(benchmark::kMillisecond);
 

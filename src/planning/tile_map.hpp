@@ -26,6 +26,7 @@ struct TileUnit {
   std::int32_t curve = -1;  ///< where tanh is not the identity: what keeps its gains
   std::uint8_t sides = 0;   ///< where something changed: bit TileScratch::Side
   bool full = false;        ///< all 256 cells
+  bool touched = false;     ///< relaxed since the equations were checked last
   bool fresh = false;       ///< holds a target of which nobody has heard yet
   std::uint16_t size = 0;   ///< cells; 0: an edit has put others in its place
   std::int32_t hops = 0;    ///< units on the way to the nearest target, where edits are followed

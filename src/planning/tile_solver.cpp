@@ -2,13 +2,12 @@
 // SPDX-FileCopyrightText: the meander authors
 #include "planning/tile_solver.hpp"
 
-#include <tbb/blocked_range.h>
 #include <tbb/info.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "planning/extended.hpp"
@@ -17,6 +16,7 @@ namespace meander {
 namespace {
 
 constexpr std::uint8_t kAllSides = 0xf;
+constexpr double kEnough = 0.25;  ///< of the tolerance, so that two solutions differ by no more than that
 
 /// Of the best over-relaxation of the open, cell by cell.
 double over_relaxation(double steepness) {
@@ -33,7 +33,7 @@ TileSolver::TileSolver(TileMap map, const NeuralMapOptions& options, const TileK
             over_relaxation(options.steepness)},
       taken_(map_.tile.size(), 0) {
   const int cores = tbb::info::default_concurrency();
-  arena_.initialize(options.threads > 0 ? std::min(options.threads, cores) : cores);
+  threads_ = options.threads > 0 ? std::min(options.threads, cores) : cores;
 }
 
 void TileSolver::solve(const PlanningProblem& problem, const Work& work) {
@@ -45,12 +45,15 @@ void TileSolver::solve(const PlanningProblem& problem, const Work& work) {
 }
 
 void TileSolver::settle(const Work& work) {
-  double threshold =
-      options_.tolerance / 20;  // a direction is wrong where two neighbours differ by less than the error
+  std::optional<RoundTeam> team;
+  if (threads_ > 1) team.emplace(threads_ - 1);
+  double threshold = options_.tolerance / 20, worst = 0;  // a direction is wrong where neighbours differ by less
   do {
-    run(threshold, work);
+    run(threshold, team ? &*team : nullptr, work);
     threshold /= 2;
-  } while (verify(work) > 0.9 * options_.tolerance);
+    worst = verify(work);
+  } while (worst > kEnough * options_.tolerance);
+  residual_ = std::max(residual_, worst);
 }
 
 std::int32_t TileSolver::unit_of(Cell cell) const {
@@ -91,13 +94,13 @@ void TileSolver::push(std::int32_t number, std::int32_t key, std::uint8_t sides)
 
 /// In rounds, so that the order does not depend on who does it: all units of a bucket, those of every second tile of
 /// every second row together, because none of them sees another.
-void TileSolver::run(double threshold, const Work& work) {
+void TileSolver::run(double threshold, RoundTeam* team, const Work& work) {
   std::vector<std::int32_t> bucket, together;
   while (queue_.pop(bucket)) {
     work.poll();
     for (int colour = 0; colour < 4; ++colour) {
       take_colour(bucket, colour, together);
-      relax_together(together, threshold);
+      relax_together(together, threshold, team);
     }
     work.report(std::min(1.0, static_cast<double>(awake_) / static_cast<double>(map_.units.size())), "neural map");
   }
@@ -120,7 +123,7 @@ void TileSolver::take_colour(const std::vector<std::int32_t>& bucket, int colour
   }
 }
 
-void TileSolver::relax_together(const std::vector<std::int32_t>& units, double threshold) {
+void TileSolver::relax_together(const std::vector<std::int32_t>& units, double threshold, RoundTeam* team) {
   if (outcomes_.size() < units.size()) outcomes_.resize(units.size());
   const auto relax = [&](std::size_t from, std::size_t to) {
     TileScratch scratch;
@@ -130,15 +133,15 @@ void TileSolver::relax_together(const std::vector<std::int32_t>& units, double t
       step_.relax(units[i], threshold, scratch, outcomes_[i]);
     }
   };
-  constexpr std::size_t kWorthIt = 8;
-  if (options_.threads == 1 || units.size() < kWorthIt)
-    relax(0, units.size());
+  constexpr std::size_t kWorthIt = 8, kGrain = 4;
+  if (team != nullptr && units.size() >= kWorthIt)
+    team->run(units.size(), kGrain, relax);
   else
-    arena_.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, units.size(), kWorthIt / 2),
-                        [&](const auto& range) { relax(range.begin(), range.end()); });
-    });
-  for (std::size_t i = 0; i < units.size(); ++i) hear(outcomes_[i]);
+    relax(0, units.size());
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    if (!std::exchange(unit(units[i]).touched, true)) touched_.push_back(units[i]);
+    hear(outcomes_[i]);
+  }
 }
 
 void TileSolver::hear(const TileOutcome& outcome) {
@@ -152,18 +155,34 @@ void TileSolver::hear(const TileOutcome& outcome) {
   }
 }
 
+/// The units that were relaxed since it was asked last, and those that have heard of it.
+std::vector<std::int32_t> TileSolver::touched() {
+  std::vector<std::int32_t> all = std::exchange(touched_, {});
+  const std::size_t relaxed = all.size();
+  for (std::size_t i = 0; i < relaxed; ++i) {
+    const TileUnit& one = unit(all[i]);
+    for_each_neighbour(map_, one, [&](std::int32_t u) {
+      if (!std::exchange(unit(u).touched, true)) all.push_back(u);
+    });
+  }
+  for (const std::int32_t u : all) unit(u).touched = false;
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 /// Takes up again what is not within the tolerance; returns the largest relative error.
 double TileSolver::verify(const Work& work) {
-  residual_ = 0;
+  double worst = 0;
   queue_ = {};
-  for (std::int32_t u = 0; u < static_cast<std::int32_t>(map_.units.size()); ++u) {
-    if (u % 256 == 0) work.poll();
-    if (map_.units[static_cast<std::size_t>(u)].exponent == TileUnit::kAsleep) continue;
+  std::size_t count = 0;
+  for (const std::int32_t u : touched()) {
+    if (++count % 256 == 0) work.poll();
+    if (unit(u).exponent == TileUnit::kAsleep) continue;
     const double error = step_.residual(u, scratch_);
-    residual_ = std::max(residual_, error);
-    if (error > 0.9 * options_.tolerance) push(u, step_.place(u), kAllSides);
+    worst = std::max(worst, error);
+    if (error > kEnough * options_.tolerance) push(u, step_.place(u), kAllSides);
   }
-  return residual_;
+  return worst;
 }
 
 PlanningResult TileSolver::landscape(const PlanningProblem& problem, const Work& work) const {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
-#include <tbb/task_arena.h>
-
 #include "planning/landscape.hpp"
 #include "planning/neural_map_options.hpp"
+#include "planning/round_team.hpp"
 #include "planning/tile_queue.hpp"
 #include "planning/tile_step.hpp"
 
@@ -36,10 +35,11 @@ class TileSolver {
   TileCurve& curve_of(TileUnit& unit);
   void push(std::int32_t number, std::int32_t key, std::uint8_t sides);
   void settle(const Work& work);
-  void run(double threshold, const Work& work);
+  void run(double threshold, RoundTeam* team, const Work& work);
   void take_colour(const std::vector<std::int32_t>& bucket, int colour, std::vector<std::int32_t>& together);
-  void relax_together(const std::vector<std::int32_t>& units, double threshold);
+  void relax_together(const std::vector<std::int32_t>& units, double threshold, RoundTeam* team);
   void hear(const TileOutcome& outcome);
+  std::vector<std::int32_t> touched();
   double verify(const Work& work);
 
   void recut_tiles(const PlanningProblem& problem, const std::vector<std::int32_t>& tiles);
@@ -58,8 +58,9 @@ class TileSolver {
   std::vector<TileOutcome> outcomes_;
   std::vector<std::int32_t> taken_;  ///< the round in which each slot was last worked on
   std::int32_t round_ = 0;
+  std::vector<std::int32_t> touched_;
   std::size_t awake_ = 0;
-  tbb::task_arena arena_;
+  int threads_ = 1;
   std::int64_t relaxations_ = 0;
   double residual_ = 0;
 };
