@@ -15,8 +15,8 @@ local options = require "meander.arguments" {
   { "--json", help = "one JSON object per line of the table" },
   { "--out DIR", default = "out", help = "folder of the pictures" },
   { "--maps LIST", default = "walls", help = "own maps, by name: " .. table.concat(own, ",") .. "; - for none" },
-  { "--size N", default = 120, help = "own maps: cells along a side" },
-  { "--starts N", default = 5, help = "starts on each map" },
+  { "--size N", default = 120, least = 20, most = 2000, help = "own maps: cells along a side" },
+  { "--starts N", default = 5, least = 1, help = "starts on each map" },
   { "FILE.map ...", help = "maps of movingai.com", rest = true },
 }
 
@@ -164,6 +164,6 @@ if options.maps ~= "-" then
   for name in options.maps:gmatch "[^,]+" do compare(name, own_map(name)) end
 end
 for _, file in ipairs(options.rest) do
-  compare(file:match("([^/]*)%.map$") or file, meander.planning.read_map(file))
+  compare(file:match("([^/]*)%.map$") or file, report.try(report.failure, nil, meander.planning.read_map, file))
 end
 if not options.json then print("pictures: " .. options.out .. "/plan_compare_*.svg") end

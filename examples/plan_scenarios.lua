@@ -13,9 +13,9 @@ local report = require "meander.report"
 local options = require "meander.arguments" {
   about = "holds A* and the neural map against the scenarios of movingai.com",
   { "--json", help = "one JSON object per file instead of text" },
-  { "--out DIR", default = "out", help = "not used: nothing is written" },
-  { "--every N", default = 1, help = "only every N-th scenario" },
-  { "--tolerance CELLS", default = 0.001, help = "largest difference of lengths that matches" },
+  { "--out DIR", default = "out", help = "folder of the pictures: the longest scenario of each map, on the neural map" },
+  { "--every N", default = 1, least = 1, help = "only every N-th scenario" },
+  { "--tolerance CELLS", default = 0.001, least = 0, help = "largest difference of lengths that matches" },
   { "--solver NAME", default = "tiles", values = { "tiles", "active_list" }, help = "of the neural map" },
   { "FILE.scen ...", help = "scenario files", rest = true },
 }
@@ -40,16 +40,20 @@ local function way(map, start, goal)
   return meander.planning.plan { map = map, start = start, target = goal, planner = "astar" }
 end
 
-local function check(file)
-  local map = meander.planning.read_map((file:gsub("%.scen$", "")))
-  local tasks = map:scenarios(file)
-  local count, matched, worst, agree, random, cut_off = 0, 0, 0, true, 0, 0
+local function check(file, name)
+  local map = report.try(report.failure, nil, meander.planning.read_map, (file:gsub("%.scen$", "")))
+  local tasks = report.try(report.failure, nil, map.scenarios, map, file)
+  local count, matched, worst, agree, random, cut_off, longest = 0, 0, 0, true, 0, 0, nil
   for i = 1, #tasks, options.every do
     local task = tasks[i]
     local plan = way(map, task.start, task.goal)
-    local difference = plan and math.abs(plan.measures.length - task.length) or math.huge
-    count, worst = count + 1, math.max(worst, difference)
-    if difference <= options.tolerance then matched = matched + 1 end
+    count = count + 1
+    if plan then
+      local difference = math.abs(plan.measures.length - task.length)
+      worst = math.max(worst, difference)
+      if difference <= options.tolerance then matched = matched + 1 end
+      if not longest or task.length > longest.length then longest = task end
+    end
     if reaches(map, task.start, task.goal) ~= (plan ~= nil) then agree = false end
     if count % 5 == 1 then
       -- Any cell: often in a wall or cut off.
@@ -59,8 +63,12 @@ local function check(file)
       if reaches(map, other, task.goal) ~= there then agree = false end
     end
   end
+  if longest then
+    local plan = meander.planning.plan { map = map, start = longest.start, target = longest.goal, solver = options.solver }
+    if plan then meander.render.save(plan, report.path(options, "plan_scenarios_" .. name .. ".svg")) end
+  end
   return {
-    map = file:match("([^/]*)%.map%.scen$") or file, scenarios = count, matched = matched, max_difference = worst,
+    map = name, scenarios = count, matched = matched, max_difference = worst,
     reachable_agree = agree, random_starts = random, without_way = cut_off,
   }
 end
@@ -72,8 +80,7 @@ if #files == 0 then
 end
 local failed = false
 for _, file in ipairs(files) do
-  local result = check(file)
-  if own then result.map = "own" end
+  local result = check(file, own and "own" or file:match("([^/]*)%.map%.scen$") or file:match("[^/]*$"))
   failed = failed or result.matched < result.scenarios or not result.reachable_agree
   if options.json then
     print(json.encode(result))
@@ -81,6 +88,7 @@ for _, file in ipairs(files) do
     print(("%s: %d of %d lengths match (largest difference %.6f), reachability %s, also from %d random starts"):format(
       result.map, result.matched, result.scenarios, result.max_difference,
       result.reachable_agree and "agrees" or "DIFFERS", result.random_starts))
+    if result.matched > 0 then print("picture: " .. options.out .. "/plan_scenarios_" .. result.map .. ".svg") end
   end
 end
 if own then

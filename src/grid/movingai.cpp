@@ -22,7 +22,7 @@ class Lines {
 
   /// The next line without its end; false behind the last.
   bool next() {
-    if (rest_.empty()) return line_ = {}, false;
+    if (rest_.empty()) return ended_ = true, line_ = {}, false;
     const std::size_t end = rest_.find('\n');
     line_ = rest_.substr(0, end);
     rest_ = end == std::string_view::npos ? std::string_view() : rest_.substr(end + 1);
@@ -41,6 +41,7 @@ class Lines {
     return words;
   }
   [[noreturn]] void expected(const char* what) const {
+    if (ended_) fail<FileError>("{}:{}: {} expected, got the end of the file", name_, number_ + 1, what);
     fail<FileError>("{}:{}: {} expected, got '{}'", name_, number_, what, visible_text(line_.substr(0, 64)));
   }
   /// A number from `least` to a million.
@@ -57,6 +58,7 @@ class Lines {
   std::string_view rest_, line_;
   const std::string& name_;
   std::size_t number_ = 0;
+  bool ended_ = false;
 };
 
 /// "height 49": the number behind the word.
