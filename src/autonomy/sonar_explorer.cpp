@@ -282,9 +282,25 @@ void SonarExplorer::end(Ending ending, std::string reason) {
   toward_ = Toward::nothing;
 }
 
+namespace {
+
+struct Exploration {
+  std::shared_ptr<SonarExplorer> explorer;
+  GuideStep operator()(const Observation& observation, const NavigatorStep& navigator) const {
+    return explorer->next(observation, navigator);
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const SonarExplorer> explorer_of(const Guide& guide) {
+  const auto* exploration = guide.next.target<Exploration>();
+  return exploration ? exploration->explorer : nullptr;
+}
+
 Guide exploring_guide(const std::shared_ptr<SonarExplorer>& explorer) {
   return {.name = "explorer",
-          .next = [explorer](const Observation& o, const NavigatorStep& n) { return explorer->next(o, n); },
+          .next = Exploration{explorer},
           .reset = [explorer] { explorer->begin(); }};
 }
 

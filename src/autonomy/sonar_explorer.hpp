@@ -160,5 +160,7 @@ class SonarExplorer {
 
 /// The guide that it is: a reset begins a run.
 Guide exploring_guide(const std::shared_ptr<SonarExplorer>& explorer);
+/// The explorer that a guide is, or nullptr: who watches it shows what it has found so far.
+std::shared_ptr<const SonarExplorer> explorer_of(const Guide& guide);
 
 }  // namespace meander

@@ -22,6 +22,26 @@ std::vector<Vec2> bow(const IndicatorGraph& graph, const Link& link, double unit
   return {graph.get(link.a.indicator).position, leaving(link.a), leaving(link.b), graph.get(link.b.indicator).position};
 }
 
+/// A link by sight that two others lead along as well: drawn, it would only cover them.
+bool goes_without_saying(const IndicatorGraph& graph, const Link& link) {
+  constexpr double kLonger = 1.1;
+  if (link.a.port >= 0 || link.b.port >= 0) return false;
+  const auto other = [](const Link& way, IndicatorId from) {
+    return way.a.indicator == from ? way.b.indicator : way.a.indicator;
+  };
+  for (const int i : graph.get(link.a.indicator).links) {
+    const Link& first = graph.links()[static_cast<std::size_t>(i)];
+    const IndicatorId between = other(first, link.a.indicator);
+    if (between == link.a.indicator || between == link.b.indicator) continue;
+    for (const int k : graph.get(between).links) {
+      const Link& second = graph.links()[static_cast<std::size_t>(k)];
+      if (other(second, between) == link.b.indicator && first.length + second.length <= kLonger * link.length)
+        return true;
+    }
+  }
+  return false;
+}
+
 void draw_port(DrawList& list, const Vec2& at, const Port& port, double unit, const Theme& theme) {
   if (port.state == PortState::linked) return;
   const SinCos way = sin_cos(port.direction);
@@ -34,8 +54,10 @@ void draw_port(DrawList& list, const Vec2& at, const Port& port, double unit, co
 
 void draw_indicators(DrawList& list, const IndicatorGraph& graph, const Theme& theme) {
   const double unit = picture_unit(list.view);
-  for (const Link& link : graph.links())
+  for (const Link& link : graph.links()) {
+    if (goes_without_saying(graph, link)) continue;
     list.items.push_back(DrawPolyline{bow(graph, link, unit), false, 0.35 * unit, theme.path, Mark::path});
+  }
   const bool numbers = graph.size() <= 100;  // more of them would only cover each other
   for (const IndicatorId id : graph.ids()) {
     const Indicator& indicator = graph.get(id);

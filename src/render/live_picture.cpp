@@ -80,6 +80,7 @@ void LivePicture::extend(Way& way, const Pose2& pose) const {
 const DrawList& LivePicture::at(const Moment& moment) {
   const Theme& colors = theme(kBackground);
   list_.items.erase(list_.items.begin() + static_cast<std::ptrdiff_t>(ground_), list_.items.end());
+  if (on_ground) on_ground(list_, colors);
   for (const Disc& mover : moment.movers) list_.items.push_back(DrawDisc{mover, colors.mover, Mark::mover});
   for (std::size_t k = 0; k < std::min(robots_.size(), moment.poses.size()); ++k) {
     // The scan stays where it was taken: that is the truth, and little of the picture changes between two scans.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include <functional>
 #include <optional>
 #include <set>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "render/draw_run.hpp"
 #include "render/draw_scan.hpp"
+#include "render/theme.hpp"
 #include "world/world.hpp"
 
 namespace meander {
@@ -37,6 +39,9 @@ class LivePicture {
   void pass(std::size_t robot, const Pose2& pose, bool touching);
   /// Valid until the next call.
   const DrawList& at(const Moment& moment);
+
+  /// Draws on the ground, below the robots, in each picture anew.
+  std::function<void(DrawList&, const Theme&)> on_ground;
 
  private:
   struct Way {

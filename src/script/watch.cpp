@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "autonomy/sonar_explorer.hpp"
+#include "render/draw_indicators.hpp"
 #include "script/live_view.hpp"
 #include "script/picture.hpp"
 
@@ -22,6 +24,12 @@ std::string state_text(double v, double clearance, bool touching) {
 /// A narrow window cuts the end: how to get out comes first.
 std::string line_text(double time, double speed, const std::string& subgoals, const std::string& state) {
   return fmt::format("Ctrl-C ends  {:.1f} s  {:.3g}x  {}  {}", time, speed, subgoals, state);
+}
+
+/// The guide, where it explores: what it has found so far shows while it drives.
+std::shared_ptr<const SonarExplorer> explorer_of(const PilotTable& pilot) {
+  if (!pilot.guide || !pilot.guide->object) return nullptr;
+  return explorer_of(*static_cast<const Guide*>(pilot.guide->object));
 }
 
 std::vector<RobotLook> looks_of(const Sim& sim) {
@@ -54,7 +62,12 @@ class WatchedDrive {
       std::vector<Subgoal> listed;
       for (const SubgoalOption& option : pilot.subgoals) listed.push_back(option.in(&sim->world()));
       listed_.push_back(std::move(listed));
+      explorers_.push_back(explorer_of(pilot));
     }
+    picture_.on_ground = [this](DrawList& list, const Theme& theme) {
+      for (const auto& explorer : explorers_)
+        if (explorer) draw_indicators(list, explorer->explorer().graph(), theme);
+    };
   }
 
   LivePicture& picture() { return picture_; }
@@ -70,6 +83,10 @@ class WatchedDrive {
     for (std::size_t k = 0; k < drive.pilots(); ++k) {
       const Run& run = drive.run(k);
       std::vector<TrackGoal> goals;
+      if (explorers_[k]) {  // where it is going; where it has been its graph shows
+        if (!run.goals.empty()) picture_.set_goals(k, {goal_of(run.goals.back(), false)});
+        continue;
+      }
       for (const Subgoal& subgoal : listed_[k].empty() ? run.goals : listed_[k])
         goals.push_back(goal_of(subgoal, std::ssize(goals) < run.reached));
       picture_.set_goals(k, std::move(goals));
@@ -86,6 +103,7 @@ class WatchedDrive {
   const Sim& sim_;
   LivePicture picture_;
   std::vector<std::vector<Subgoal>> listed_;
+  std::vector<std::shared_ptr<const SonarExplorer>> explorers_;  ///< by robot; nullptr: another guide
 };
 
 /// A recorded run in a picture.

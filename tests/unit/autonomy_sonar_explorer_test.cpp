@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 // The sonar map from observations made by hand, and the explorer as a guide. Whole drives are in
 // examples/labyrinth.lua.
-#include "autonomy/sonar_explorer.hpp"
+#include "autonomy/sonar_explorer_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -98,6 +98,30 @@ TEST(SonarExplorer, InARoomItDrivesStraightToItsGoalAndSaysSo) {
     EXPECT_FALSE(step.subgoal);
     EXPECT_EQ(explorer.ending(), Ending::reached) << to_string(strategy) << ": " << explorer.reason();
     EXPECT_LT((at - Vec2(1, 0.5)).norm(), 0.3);
+  }
+}
+
+TEST(SonarExplorer, IsKnownByItsGuide) {
+  const auto explorer = std::make_shared<SonarExplorer>(Vec2(1, 0.5), platform("nomad200"));
+  const Guide guide = exploring_guide(explorer), other{.name = "explorer", .next = {}};
+  EXPECT_EQ(explorer_of(guide), explorer);
+  EXPECT_EQ(explorer_of(other), nullptr);
+}
+
+TEST(SonarExplorer, IsReadAsItWasWrittenAndAFileThatIsCutOffIsRefused) {
+  const Platform& robot = platform("nomad200");
+  for (const PortPerception perception : {PortPerception::map, PortPerception::profile}) {
+    SonarExplorer explorer({1, 0.5}, robot, {.perception = perception});
+    Vec2 at(-1, 0);
+    for (int i = 0; i < 60; ++i) {
+      const GuideStep step = explorer.next(in_room(robot, at, i * robot.period), {});
+      if (step.subgoal && (step.subgoal->position - at).norm() > 0.05)
+        at += (step.subgoal->position - at).normalized() * 0.05;
+    }
+    const std::string text = to_text(explorer);
+    EXPECT_EQ(to_text(*sonar_explorer_from_text(text)), text);
+    for (std::size_t length = 0; length + 1 < text.size(); length += 1 + text.size() / 300)
+      EXPECT_THROW(sonar_explorer_from_text(text.substr(0, length)), FileError) << length;
   }
 }
 

@@ -31,6 +31,21 @@ TEST(DrawIndicators, ShowsLinksIndicatorsAndOpenEnds) {
   for (const DrawItem& item : list.items) EXPECT_TRUE(drawable(item));
 }
 
+TEST(DrawIndicators, ALinkBySightThatTwoOthersLeadAlongIsNotDrawn) {
+  IndicatorGraph graph;
+  const IndicatorId a = graph.place({0, 0}), b = graph.place({1, 0}), c = graph.place({2, 0}), d = graph.place({1, 1});
+  graph.link({a}, {b}, 1);
+  graph.link({b}, {c}, 1);
+  const int along = graph.link({a}, {c}, 2);
+  EXPECT_EQ(count(draw_indicators(graph), Mark::path), 2);
+  graph.unlink(along);
+  graph.link({a, graph.add_port(a, 0, 1)}, {c, graph.add_port(c, kPi, 1)}, 2);  // driven: it shows
+  EXPECT_EQ(count(draw_indicators(graph), Mark::path), 3);
+  graph.link({a}, {d}, 1.4);
+  graph.link({d}, {b}, 1);  // a triangle shows
+  EXPECT_EQ(count(draw_indicators(graph), Mark::path), 5);
+}
+
 TEST(DrawIndicators, AnEmptyGraphHasAPicture) { EXPECT_FALSE(draw_indicators(IndicatorGraph()).items.empty()); }
 
 }  // namespace

@@ -3,6 +3,8 @@
 // watch() and what is left of a drive that was cut short. How it looks on a terminal: repl_watch_test.cpp.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "script/bindings.hpp"
 #include "script_state.hpp"
 
@@ -57,6 +59,20 @@ TEST_F(WatchScript, SaysWhatItWants) {
             "goes) expected, got number -1");
   EXPECT_EQ(run("watch(sim(), with { sped = 1 })").substr(0, 96),
             "error: test:1: watch: unknown option 'sped'; did you mean 'speed'? (known: navigator, subgoals, ");
+}
+
+TEST_F(WatchScript, WhatAnExplorerFindsShowsWhileItDrives) {
+  run("w = meander.world.new { bounds = { {-2, -2}, {6, 2} }, start = {0, 0, 0} } "
+      "w:add_box { center = {2, -1}, size = {0.2, 2} } "
+      "function go(hide) local s = meander.sim.new { world = w, seed = 3 } "
+      "e = meander.indicator.sonar_explorer { goal = {4, 0} } local g = e:guide() "
+      "return watch(s, { navigator = 'polar', guide = hide and function(...) return nil, 'over' end or g, speed = 0 }) "
+      "end");
+  EXPECT_EQ(run("r = go() return e.ending, r.hash == go().hash, #e:graph() > 1"), "reached true true");
+  const std::string shown = std::exchange(written_, {});
+  run("go(true)");
+  EXPECT_GT(std::count(shown.begin(), shown.end(), 'S'), std::count(written_.begin(), written_.end(), 'S') + 5)
+      << shown << "indicators are discs of this letter";
 }
 
 TEST_F(WatchScript, SeveralRobotsAreSeenToo) {
