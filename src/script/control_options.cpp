@@ -73,7 +73,7 @@ Navigator lua_navigator(const Function& step, const std::optional<Function>& res
 /// The same object, not a copy: what it has learnt stays in it.
 Navigator shared(const std::shared_ptr<Navigator>& navigator) {
   return {navigator->name, [navigator](const Observation& o, const Subgoal& s) { return navigator->step(o, s); },
-          [navigator] { navigator->reset(); }};
+          [navigator] { navigator->reset(); }, navigator->body_radius};
 }
 Guide shared(const std::shared_ptr<Guide>& guide) {
   return {guide->name, [guide](const Observation& o, const NavigatorStep& s) { return guide->next(o, s); },

@@ -66,6 +66,18 @@ TEST_F(PolarScript, PartsCanBeWrittenInLua) {
       "true 0");
 }
 
+TEST_F(PolarScript, NavigatorsDriveOnlyTheBodyTheyAreMadeFor) {
+  run("scout = meander.sim.new { world = w, robot = 'scout' } "
+      "function go(n) return scout:drive({ navigator = n, subgoals = { {2, 3} } }).success end");
+  EXPECT_EQ(run("return go(meander.polar.navigator {})"),
+            "error: test:1: sim:drive: navigator 'polar': made for a robot of radius 0.2667 m; this one has 0.19 m");
+  EXPECT_EQ(run("return meander.autonomy.map_safety(meander.polar.vfh_plus {}, { robot = 'scout', map = { model = "
+                "'ros' } })"),
+            "error: test:1: meander.autonomy.map_safety: navigator 'vfh_plus': made for a robot of radius 0.2667 m; "
+            "this one has 0.19 m");
+  EXPECT_EQ(run("return go(meander.polar.navigator { robot = 'scout' }), go 'vfh_plus'"), "true true");
+}
+
 TEST_F(PolarScript, MistakesAreTold) {
   EXPECT_EQ(
       run("meander.polar.navigator { own = { weights = function(r) return { inward = 1, outward = 1, lateral = 1, "
