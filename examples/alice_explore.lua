@@ -20,7 +20,23 @@ local options = require "meander.arguments" {
   { "--json", help = "one JSON object per line instead of text" },
   { "--out DIR", default = "out", help = "folder for the pictures of the first run; none when empty" },
 }
-local figures = { "error_mean", "error_max", "error_last", "error_aligned", "recall", "precision", "cells", "contacts" }
+local figures = {
+  "error_mean", "error_max", "error_last", "error_aligned", "recall", "precision", "cells", "places_rms", "long_links",
+  "contacts",
+}
+
+-- The share of links whose places truly lie more than 0.7 m apart: twice the scale of positions.
+local function long_links(robot)
+  local long, known = 0, 0
+  for _, link in ipairs(robot.map.links) do
+    local a, b = robot.scores:true_place(robot.map, link.a), robot.scores:true_place(robot.map, link.b)
+    if a and b then
+      known = known + 1
+      if (a.x - b.x) ^ 2 + (a.y - b.y) ^ 2 > 0.7 ^ 2 then long = long + 1 end
+    end
+  end
+  return known > 0 and long / known or nil
+end
 
 for _, name in ipairs(candidates.chosen(options.world, alice.worlds, "world")) do
   for _, correction in ipairs { true, false } do
@@ -31,6 +47,7 @@ for _, name in ipairs(candidates.chosen(options.world, alice.worlds, "world")) d
       }
       local summary = robot.scores:summary()
       summary.cells, summary.contacts = #robot.map, robot.sim.state.contacts
+      summary.places_rms, summary.long_links = robot.scores:map_error(robot.map), long_links(robot)
       if options.out ~= "" and seed == options.first_seed then
         local stem = report.path(options, ("%s_%s"):format(name, correction and "corrected" or "dead_reckoning"))
         meander.render.save(robot.map:over(robot.world), stem .. ".svg")

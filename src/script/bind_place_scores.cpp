@@ -55,6 +55,13 @@ void add(ScoredSim& scored, const topology::TopologicMap& map) {
   scored.scores.add(*scored.sim, map.pose(), claim);
 }
 PlaceSummary summary(const ScoredSim& scored) { return scored.scores.summary(); }
+double map_error(const ScoredSim& scored, const topology::TopologicMap& map) {
+  std::vector<PlaceScores::MapPlace> places;
+  const topology::CellPool& cells = map.net().cells();
+  for (int cell = 0; cell < cells.slots(); ++cell)
+    if (cells.alive(cell)) places.push_back({cells[cell].serial, cells[cell].position});
+  return scored.scores.map_error(places);
+}
 std::optional<Vec2> true_place(const ScoredSim& scored, const topology::TopologicMap& map, int number) {
   return scored.scores.true_place(map.net().cells()[cell_of(map, number)].serial);
 }
@@ -78,6 +85,11 @@ void bind_place_scores(lua_State* L) {
                             .text = "Errors of the believed position, recall and precision of places.",
                             .returns = "table",
                             .example = EXAMPLE_SCORES "print(p:summary().error_mean)"})
+      .method<&map_error>(Doc{.name = "map_error",
+                              .text = "How far the places of a map lie from where they truly are: root mean square.",
+                              .args = {{"map", "the map"}},
+                              .returns = "the error in metres; 0 when no place ever won",
+                              .example = EXAMPLE_SCORES "print(p:map_error(m))"})
       .method<&true_place>(Doc{.name = "true_place",
                                .text = "Where the robot truly was on average when a place won.",
                                .args = {{"map", "the map"}, {"number", "of the place"}},

@@ -52,6 +52,17 @@ std::optional<Vec2> PlaceScores::true_place(std::uint64_t place) const {
   return found == places_.end() ? std::nullopt : std::optional(found->second.position);
 }
 
+double PlaceScores::map_error(std::span<const MapPlace> places) const {
+  double square = 0;
+  int known = 0;
+  for (const MapPlace& place : places)
+    if (const auto truth = true_place(place.place)) {
+      square += (place.position - *truth).squaredNorm();
+      ++known;
+    }
+  return known > 0 ? std::sqrt(square / known) : 0;
+}
+
 double PlaceScores::aligned_error() const {
   // The turn and shift of least squares in the plane: with both sets about their means, the angle of the sum of the
   // products a* b of complex numbers.

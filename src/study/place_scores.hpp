@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,13 @@ class PlaceScores {
   /// A cycle has ended: where the robot believed to be when it began, and what its map said.
   void add(const Sim& sim, const Pose2& believed, const PlaceClaim& claim);
   PlaceSummary summary() const;
+  /// How far the places of a map lie from where they truly are: the root of the mean square [m]; 0 for none that was
+  /// claimed.
+  struct MapPlace {
+    std::uint64_t place = 0;
+    Vec2 position{0, 0};
+  };
+  double map_error(std::span<const MapPlace> places) const;
   /// Where the situations that a place stands for were, on average; nothing for places never claimed.
   std::optional<Vec2> true_place(std::uint64_t place) const;
 

@@ -164,9 +164,11 @@ void GrowingNet::insert_where_worst(std::int64_t sample) {
   for (std::size_t k = 0; k < middle_.size(); ++k) middle_[k] = k < touch ? std::min(a[k], b[k]) : 0.5f * (a[k] + b[k]);
   const Vec2 between = 0.5 * (worst.position + cells_[other].position);
   errors_.set(runner, 0.5 * errors_.error(runner));
+  const Link parted = *far;  // nobody drove the two that it becomes: what speaks against it speaks against them
   cells_.disconnect(runner, other);
-  const int made = insert({between, middle_.data()}, sample, runner);
-  cells_.connect(made, other, {});
+  const int made = insert({between, middle_.data()}, sample, -1);
+  for (const int end : {runner, other})
+    cells_.connect(made, end, {.doubt = parted.doubt, .suspended = parted.suspended});
 }
 
 }  // namespace meander::topology

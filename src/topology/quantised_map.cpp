@@ -115,15 +115,28 @@ std::string c_source(const QuantisedMap& map, const std::string& name) {
       "/* A minimal topologic map: {} places, {} links, {} lights, {} touches; {} bytes.\n"
       "   place i: x = {} + {} * places[4 i], y = {} + {} * places[4 i + 1] [m], its light and its touch (255: none).\n"
       "   A light value is byte * {} / 255, a touch value byte * {} / 255. Rings: {} lights, {} whiskers.\n"
-      "   Link j joins places links[2 j] and links[2 j + 1] with confidence weights[j] / 255. */\n#include "
-      "<stdint.h>\n",
+      "   Link j joins places links[2 j] and links[2 j + 1] with confidence weights[j] / 255. */\n",
       map.place_count(), map.weights.size(),
       map.light > 0 ? map.lights.size() / static_cast<std::size_t>(map.light) : 0,
       map.touch > 0 ? map.touches.size() / static_cast<std::size_t>(map.touch) : 0, map.bytes(), map.low.x(), map.step,
       map.low.y(), map.step, map.light_most, map.touch_most, map.light, map.touch);
+  text += fmt::format("#ifndef {0}_included\n#define {0}_included\n#include <stdint.h>\n", name);
+  const auto constant = [&](const char* what, auto value) {
+    text += fmt::format("#define {}_{} {}\n", name, what, value);
+  };
+  constant("place_count", map.place_count());
+  constant("link_count", map.weights.size());
+  constant("whiskers", map.touch);
+  constant("light_sensors", map.light);
+  constant("low_x", map.low.x());
+  constant("low_y", map.low.y());
+  constant("step", map.step);
+  constant("light_most", map.light_most);
+  constant("touch_most", map.touch_most);
   return text + array_text("uint8_t", name + "_places", map.places) +
          array_text("uint16_t", name + "_links", map.links) + array_text("uint8_t", name + "_weights", map.weights) +
-         array_text("uint8_t", name + "_lights", map.lights) + array_text("uint8_t", name + "_touches", map.touches);
+         array_text("uint8_t", name + "_lights", map.lights) + array_text("uint8_t", name + "_touches", map.touches) +
+         "#endif\n";
 }
 
 int recognise(const MinimalMap& map, const Situation& situation, const Scales& scales) {

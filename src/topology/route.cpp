@@ -8,7 +8,12 @@
 
 namespace meander::topology {
 
-std::optional<std::vector<int>> route(const CellPool& cells, int from, int to, const RouteOptions& options) {
+std::optional<std::vector<int>> route(const CellPool& cells, int from, int to, const RouteOptions& options,
+                                      const CellPairs& avoided) {
+  const auto avoids = [&](int a, int b) {
+    return std::any_of(avoided.begin(), avoided.end(),
+                       [&](const auto& pair) { return pair == std::pair(a, b) || pair == std::pair(b, a); });
+  };
   const auto n = static_cast<std::size_t>(cells.slots());
   std::vector<double> cost(n, std::numeric_limits<double>::infinity());
   std::vector<int> before(n, -1);
@@ -23,7 +28,7 @@ std::optional<std::vector<int>> route(const CellPool& cells, int from, int to, c
     for (const Link& link : cells[cell].links) {
       const double length = (cells[link.to].position - cells[cell].position).norm();
       const double next = so_far + length * (1 + options.doubtful * (1 - link.weight)) + options.per_link +
-                          (link.suspended ? options.suspended : 0);
+                          (link.suspended || avoids(cell, link.to) ? options.suspended : 0);
       const auto t = static_cast<std::size_t>(link.to);
       if (next > cost[t] || (next == cost[t] && cell >= before[t])) continue;
       cost[t] = next;

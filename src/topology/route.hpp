@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "topology/growing_net.hpp"
@@ -24,8 +25,10 @@ void fields(Options& o, Visitor&& visit) {
 }
 
 /// The cheapest way over the links from one cell to another, both included; nothing when there is none. (Dijkstra; ties
-/// to the smaller number.)
-std::optional<std::vector<int>> route(const CellPool& cells, int from, int to, const RouteOptions& options = {});
+/// to the smaller number.) `avoided`: links that cost as suspended ones do, from one cell to the other.
+using CellPairs = std::vector<std::pair<int, int>>;
+std::optional<std::vector<int>> route(const CellPool& cells, int from, int to, const RouteOptions& options = {},
+                                      const CellPairs& avoided = {});
 
 /// The cell whose place is nearest; -1 in an empty map. Looks at all.
 int nearest_place(const CellPool& cells, const Vec2& at);

@@ -23,6 +23,7 @@ constexpr double kSeen = 0.08;                      ///< so near to such a point
 constexpr int kLook = 15;                           ///< samples after which it does so anyhow
 constexpr int kPulls = 20;                          ///< to where the senses tell
 constexpr double kLikeGrowth = 0.03;                ///< per point
+constexpr double kConfirmGrowth = 0.1;              ///< [m] per recovery
 
 class RouteGuide {
  public:
@@ -82,7 +83,7 @@ class RouteGuide {
 
   bool plan() {
     const int start = nearest_place(cells(), here());
-    const auto found = route(cells(), start, goal_, options_.route);
+    const auto found = route(cells(), start, goal_, options_.route, given_up_);
     if (!found) return false;
     way_ = *found;
     next_ = way_.size() > 1 && distance_to(way_[0]) < options_.near ? 1 : 0;
@@ -110,7 +111,7 @@ class RouteGuide {
   bool recover() {
     if (recovered_++ >= options_.recoveries) return false;
     for (const auto& [a, b] : given_up_)
-      if (cells().alive(a) && cells().alive(b) && cells().find(a, b)) {
+      if (map_->options().doubt.suspend > 0 && cells().alive(a) && cells().alive(b) && cells().find(a, b)) {
         Link link = *cells().find(a, b);
         link.suspended = false;
         link.doubt = 0;
@@ -137,22 +138,28 @@ class RouteGuide {
     return plan() || recover();
   }
 
-  /// A link of the way; where it was passed while learning it may be gone.
+  /// A link of the way; where it was passed while learning it may be gone. A map whose links are never suspended stays
+  /// as it is.
   void give_up(int from, int to) {
     if (!cells().alive(from) || !cells().find(from, to)) return;
     Link link = *cells().find(from, to);
     if (!link.suspended) given_up_.emplace_back(from, to);
+    if (map_->options().doubt.suspend == 0) return;
     link.suspended = true;
     link.doubt = std::max(link.doubt, map_->options().doubt.suspend);
     map_->net().cells().connect(from, to, link);
   }
+
+  /// How near to the goal a place is beside it [m]: the map may lie in layers there, so that the senses never tell the
+  /// goal itself. The more often it has looked everywhere, the farther off counts.
+  double beside() const { return options_.confirm + kConfirmGrowth * recovered_; }
 
   /// Do the senses tell the goal, or a place beside it or none while they are like the goal's? The longer it has
   /// looked, the less alike is enough.
   bool agrees() const {
     const int told = map_->correction().cell;
     if (told == goal_) return true;
-    if (told >= 0 && (cells()[told].position - cells()[goal_].position).norm() > options_.confirm) return false;
+    if (told >= 0 && (cells()[told].position - cells()[goal_].position).norm() > beside()) return false;
     const double like = options_.like + kLikeGrowth * looks_;
     return map_->net().metric().squared(cells().senses(goal_), map_->situation().senses) <= like * like;
   }
@@ -161,7 +168,7 @@ class RouteGuide {
   /// looks there in growing circles. False when it has looked everywhere.
   bool look_about() {
     const int told = map_->correction().cell;
-    if (told >= 0 && (cells()[told].position - cells()[goal_].position).norm() > options_.confirm) {
+    if (told >= 0 && (cells()[told].position - cells()[goal_].position).norm() > beside()) {
       if (++pulls_ > kPulls) return false;
       map_->shift(options_.pull * (cells()[told].position - here()));
       if (!plan()) return false;
@@ -190,7 +197,7 @@ class RouteGuide {
   std::size_t next_ = 0;
   bool suspended_accepted_ = false;  ///< there is no way without a suspended link
   Trail trail_;
-  std::vector<std::pair<int, int>> given_up_;  ///< links that this drive suspended
+  CellPairs given_up_;  ///< links on which it got stuck
   int recovered_ = 0, stuck_ = 0;
   int looks_ = 0, look_until_ = 0;  ///< points around the goal, and the sample until which it goes to the last one
   int pulls_ = 0;

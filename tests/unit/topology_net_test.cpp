@@ -192,6 +192,26 @@ TEST(GrowingNet, LinksThatAreNotDrivenFadeWhenTheirCellWins) {
   EXPECT_TRUE(net.cells().alive(c));
 }
 
+TEST(GrowingNet, ACellPutIntoALinkKeepsWhatSpeaksAgainstIt) {
+  NetOptions options;
+  options.misses_to_insert = 4;
+  GrowingNet net = fresh_net(options);
+  std::vector<float> senses(48, 0.0f);
+  const auto at = [&](double x) { return net.present({{x, 0}, senses.data()}, 0).cell; };
+  const int a = at(0), b = at(0.5);
+  EXPECT_EQ(at(-0.32), a);
+  net.cells().connect(a, b, {.doubt = 3, .suspended = true});
+  EXPECT_EQ(at(-0.33), a);  // the fourth miss
+  ASSERT_EQ(net.cells().size(), 3);
+  EXPECT_EQ(net.cells().find(a, b), nullptr);
+  for (const int end : {a, b}) {
+    ASSERT_EQ(net.cells()[end].links.size(), 1u);
+    EXPECT_TRUE(net.cells()[end].links[0].suspended);
+    EXPECT_EQ(net.cells()[end].links[0].doubt, 3);
+    EXPECT_EQ(net.cells()[end].links[0].weight, 1);
+  }
+}
+
 TEST(Senses, RingsTurnThereAndBack) {
   std::vector<float> ring{1, 0, 0, 2, 0, 5}, out(6), back(6);
   turn_ring(ring, kPi / 3, out);

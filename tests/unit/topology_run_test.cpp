@@ -160,5 +160,30 @@ TEST(RouteGuide, LinksThatGoWhileItIsStuckDoNoHarm) {
   }
 }
 
+TEST(RouteGuide, AMapWhoseLinksAreNeverSuspendedStaysAsItIs) {
+  for (const double suspend : {0.0, 2.0}) {
+    TopologicMapOptions options;
+    options.doubt.suspend = suspend;
+    const auto map = std::make_shared<TopologicMap>(options, SenseSuite{});
+    RoundRoom room(40);
+    for (int i = 0; i < 1500; ++i) map->step(room.next());
+    const CellPool& cells = map->net().cells();
+    std::vector<std::vector<Link>> before;
+    for (int cell = 0; cell < cells.slots(); ++cell) before.push_back(cells[cell].links);
+    bool changed = false;
+    for (int goal = 0; goal < cells.slots(); ++goal) {
+      if (!cells.alive(goal)) continue;
+      RouteGuideOptions drive_options;
+      drive_options.progress = 5;  // always stuck
+      drive_options.patience = 2;
+      Guide guide = route_guide(map, goal, drive_options);
+      for (int i = 0; i < 100 && guide.next(room.next(), {}).subgoal;) ++i;
+      for (int cell = 0; cell < cells.slots(); ++cell)
+        changed = changed || cells[cell].links != before[static_cast<std::size_t>(cell)];
+    }
+    EXPECT_EQ(changed, suspend > 0);
+  }
+}
+
 }  // namespace
 }  // namespace meander::topology
