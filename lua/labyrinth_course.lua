@@ -54,7 +54,7 @@ function course.explorer(options)
   return all
 end
 
--- One run: {world, explorer, seed, sensor, navigator, drift, start, limit} gives the run, and where the robot truly ended.
+-- One run: {world, explorer, seed, sensor, navigator, drift, start, limit, record_every} gives the run, and where the robot truly ended.
 -- `guide` in the place of an explorer: somebody else leads.
 function course.run(task)
   local sim = meander.sim.new {
@@ -63,7 +63,7 @@ function course.run(task)
   }
   local run = sim:drive {
     navigator = task.navigator or meander.polar.navigator { robot = course.robot },
-    guide = task.guide or task.explorer:guide(), time_limit = task.limit or 3000, record_every = 0,
+    guide = task.guide or task.explorer:guide(), time_limit = task.limit or 3000, record_every = task.record_every or 0,
   }
   return run, sim
 end

@@ -5,6 +5,7 @@
 #include "indicator/indicator_storage.hpp"
 #include "indicator/indicator_text.hpp"
 #include "render/draw_indicators.hpp"
+#include "render/draw_run.hpp"
 #include "render/draw_world.hpp"
 #include "script/bind.hpp"
 #include "script/file_access.hpp"
@@ -120,8 +121,13 @@ void save(const IndicatorGraph& graph, const OutputFile& file) {
 }
 std::string source(const IndicatorGraph& graph) { return to_text(graph); }
 
-DrawList over(const IndicatorGraph& graph, const World& world) {
+DrawList over(const IndicatorGraph& graph, const World& world, const std::optional<std::shared_ptr<RunRecord>>& drive) {
   DrawList list = draw_world(world);
+  if (drive) {
+    std::vector<Pose2> poses;
+    for (const RunStep& step : (*drive)->run.steps) poses.push_back(step.pose_world);
+    draw_track(list, {poses, (*drive)->run.robot_radius, {}, {}}, theme(Background::light));
+  }
   draw_indicators(list, graph, theme(Background::light));
   return list;
 }
@@ -254,8 +260,9 @@ void bind_indicator(lua_State* L) {
                          .errors = "the file cannot be written",
                          .example = LINKED "g:save(os.tmpname() .. '.dot')"})
       .method<&over>(Doc{.name = "over",
-                         .text = "The picture of a world with the graph over it.",
-                         .args = {{"world", "in whose frame the indicators are"}},
+                         .text = "The picture of a world with the graph over it, and the way that was driven.",
+                         .args = {{"world", "in whose frame the indicators are"},
+                                  {"run", "the drive; none when left out"}},
                          .returns = "the picture, for show and save",
                          .example = LINKED "show(g:over(meander.world.new {}))"})
       .property<&indicators>(PropertyDoc{.name = "indicators",
