@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 // Who chooses where to go on the sonar explorer's map without a graph.
+#include <algorithm>
+
 #include "autonomy/sonar_explorer.hpp"
 #include "indicator/grid_way.hpp"
 
@@ -21,13 +23,16 @@ bool is_speck(const ConfigurationSpace& space, Cell cell) {
 
 /// What the others do that the rules are compared with: they see the same map, and keep no graph.
 void SonarExplorer::decide_without_graph(bool blocked) {
+  if ((at_ - goal_).norm() <= options_.arrive) return end(Ending::reached, "the goal is reached");
   if (options_.explorer.budget > 0 && walked_ > options_.explorer.budget)
     return end(Ending::budget, fmt::format("the budget of {:g} m is spent", options_.explorer.budget));
   if (options_.strategy == ExplorationStrategy::dstar_lite) {
     if (!way_by_dstar_lite().empty()) return drive_to(Toward::frontier, goal_);
     return look_again();
   }
-  if (blocked && toward_ == Toward::frontier) give_up_frontier(aim_);
+  const bool tried = toward_ == Toward::frontier && (blocked || is_there());
+  toward_ = Toward::nothing;
+  if (tried) give_up_frontier(aim_);
   if (!decide_by_frontier()) look_again();
 }
 
@@ -44,34 +49,32 @@ void SonarExplorer::give_up_frontier(const Vec2& place) {
 bool SonarExplorer::decide_by_frontier() {
   const ConfigurationSpace& space = map_.space();
   const double straight_on = options_.strategy == ExplorationStrategy::goal_frontier ? 1 : 0;
-  for (;;) {
-    field_.spread(space, space.frame().cell(standing()), 1e9);
-    std::optional<Cell> best;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Cell cell : field_.reached()) {
-      const Vec2 there = space.frame().center(cell);
-      const double cost = field_.at(cell) + straight_on * (there - goal_).norm();
-      const bool goal = cell == space.frame().cell(goal_);
-      if (cost >= least || !(goal || (space.frontier(cell) && !is_speck(space, cell)))) continue;
-      least = cost;
-      best = cell;
-    }
-    if (!best) return false;
-    const Vec2 place = space.frame().center(*best);
-    if ((place - at_).norm() > options_.arrive) {
-      drive_to(*best == space.frame().cell(goal_) ? Toward::goal : Toward::frontier, place);
-      return true;
-    }
-    give_up_frontier(place);
+  field_.spread(space, space.frame().cell(standing()), 1e9);
+  const std::vector<Cell> goals = cells_at(space, goal_, options_.arrive, false);
+  const auto is_goal = [&](Cell cell) { return std::find(goals.begin(), goals.end(), cell) != goals.end(); };
+  std::optional<Cell> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Cell cell : field_.reached()) {
+    const Vec2 there = space.frame().center(cell);
+    const double cost = field_.at(cell) + straight_on * (there - goal_).norm();
+    if (cost >= least || !(is_goal(cell) || (space.frontier(cell) && !is_speck(space, cell)))) continue;
+    least = cost;
+    best = cell;
   }
+  if (!best) return false;
+  if (is_goal(*best))
+    drive_to(Toward::goal, goal_);
+  else
+    drive_to(Toward::frontier, space.frame().center(*best));
+  return true;
 }
 
 /// From where the robot stands, or from the nearest place where nothing speaks against its standing.
 std::vector<Cell> SonarExplorer::way_by_dstar_lite() {
   const ConfigurationSpace& space = map_.space();
-  const auto here = nearest_open(space, at_, kSnap);
-  if (!here) return {};
-  return free_space_.plan(space, *here, space.frame().cell(goal_));
+  const auto here = nearest_open(space, at_, kSnap), goal = nearest_open(space, goal_, options_.arrive);
+  if (!here || !goal) return {};
+  return free_space_.plan(space, *here, *goal);
 }
 
 }  // namespace meander

@@ -31,6 +31,7 @@ SonarExplorer::SonarExplorer(const Vec2& goal, const Platform& platform, const S
       way_(platform, options.profile),
       explorer_(goal, options.explorer) {
   validate(options);
+  if (platform.sonar.count == 0) fail("robot: one with sonars expected, '{}' has none", platform.name);
   map_.include(goal);
   if (by_profile()) return;
   explorer_.perceive = [this](IndicatorGraph& graph, IndicatorId here) {
@@ -78,9 +79,16 @@ void SonarExplorer::sense(const Observation& observation) {
   if (std::exchange(set_down_, true)) walked_ += (at - at_).norm();
   if (!std::isfinite(since_) || toward_ == Toward::nothing) since_ = observation.time;
   at_ = at;
+  if (!(map_.cells_with(at) <= SonarOccupancy::kMostCells))
+    fail<Error>(
+        "goal: ({:g}, {:g}) m is too far from the robot at ({:g}, {:g}) m, a map of both has more than {:g} "
+        "cells of {:g} m",
+        goal_.x(), goal_.y(), at.x(), at.y(), SonarOccupancy::kMostCells, options_.map.resolution);
   map_.update(observation);
   if (by_profile()) way_.hear(observation);
   if (std::exchange(frames_, map_.frames()) == map_.frames()) return;
+  field_.clear();
+  nearest_ = std::numeric_limits<double>::infinity();
   free_space_.forget();
   sight_ = MapSight(options_.ports, options_.sight);  // cells have moved
   perception_ = MapPerception(options_.ports);
@@ -91,7 +99,7 @@ bool SonarExplorer::goes_to_goal() {
   if (toward_ == Toward::goal) return true;
   if ((goal_ - at_).norm() > kGoalSight) return false;
   const ConfigurationSpace& space = map_.space();
-  near_goal_.spread(space, space.frame().cell(goal_), kGoalSight);
+  near_goal_.spread(space, cells_at(space, goal_, options_.arrive, false), kGoalSight);
   if (!nearest_reached(space, near_goal_, at_, 0.15)) return false;
   drive_to(Toward::goal, goal_);
   return true;
@@ -137,9 +145,6 @@ Vec2 SonarExplorer::standing() const {
 /// [DG] items 2 to 7, where the way it was on has ended. A port that is chosen where the robot stands already was
 /// approached in vain.
 void SonarExplorer::decide(bool blocked) {
-  if (toward_ == Toward::goal && !blocked && (at_ - goal_).norm() <= options_.arrive &&
-      options_.strategy != ExplorationStrategy::indicators)
-    return end(Ending::reached, "the goal is reached");
   if (options_.strategy != ExplorationStrategy::indicators) return decide_without_graph(blocked);
   for (int i = 0; i < 20; ++i) {
     Percept percept;
@@ -191,9 +196,8 @@ void SonarExplorer::drive_to(Toward toward, const Vec2& place) {
 
 /// [DG+] Ports alone do not say that a goal is out of reach: the whole map has to, and weak walls are looked at first.
 void SonarExplorer::look_again() {
-  const ConfigurationSpace& space = map_.space();
   if (look_.count() < options_.second_looks) {
-    if (const auto place = look_.next(map_, space.frame().cell(standing()), space.frame().cell(goal_))) {
+    if (const auto place = look_.next(map_, at_, goal_, options_.arrive)) {
       if (options_.strategy == ExplorationStrategy::indicators) explorer_.resume();
       return drive_to(Toward::look, *place);
     }
@@ -202,8 +206,10 @@ void SonarExplorer::look_again() {
                            "after {} second looks",
                            look_.count()));
   }
-  end(Ending::no_passable_direction,
-      fmt::format("no passable direction left, after all of {} second looks", options_.second_looks));
+  end(Ending::budget,
+      fmt::format("the budget of {} second looks is spent: no passable direction is left, and whether a "
+                  "way leads to the goal through what is unknown is not settled",
+                  options_.second_looks));
 }
 
 /// The navigator says so, or the robot stands still, or it comes no nearer to what it drives to for long.
@@ -245,11 +251,19 @@ std::vector<Cell> SonarExplorer::way_to_aim() {
   const ConfigurationSpace& space = map_.space();
   if (by_dstar_lite()) return way_by_dstar_lite();
   const bool far = toward_ == Toward::frontier || toward_ == Toward::look, unknown = toward_ == Toward::look;
-  const auto target = unknown ? std::optional(space.frame().cell(aim_)) : nearest_free(space, aim_, kSnap / 2);
-  if (!target) return {};
-  field_.spread(space, *target, far ? 1e9 : kDear * ((aim_ - at_).norm() + kBehind), unknown, WayCost::room);
+  field_.spread(space, ends(), far ? 1e9 : kDear * ((aim_ - at_).norm() + kBehind), unknown, WayCost::room,
+                unknown ? &look_.closed_before(space) : nullptr);
   const auto here = nearest_reached(space, field_, at_, kSnap);
   return here ? way_down(field_, *here) : std::vector<Cell>{};
+}
+
+/// Where the way to the aim may end.
+std::vector<Cell> SonarExplorer::ends() const {
+  const ConfigurationSpace& space = map_.space();
+  if (toward_ == Toward::look) return {space.frame().cell(aim_)};
+  if (toward_ == Toward::goal) return cells_at(space, goal_, options_.arrive, false);
+  const auto near = nearest_free(space, aim_, kSnap / 2);
+  return near ? std::vector<Cell>{*near} : std::vector<Cell>{};
 }
 
 /// Of the way that was planned in the last cycle [m].
@@ -299,9 +313,7 @@ std::shared_ptr<const SonarExplorer> explorer_of(const Guide& guide) {
 }
 
 Guide exploring_guide(const std::shared_ptr<SonarExplorer>& explorer) {
-  return {.name = "explorer",
-          .next = Exploration{explorer},
-          .reset = [explorer] { explorer->begin(); }};
+  return {.name = "explorer", .next = Exploration{explorer}, .reset = [explorer] { explorer->begin(); }};
 }
 
 }  // namespace meander

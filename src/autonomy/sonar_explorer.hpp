@@ -79,6 +79,8 @@ class SonarExplorer {
  public:
   /// Throws ArgumentError when a number is out of range.
   SonarExplorer(const Vec2& goal, const Platform& platform, const SonarExplorerOptions& options = {});
+  SonarExplorer(const SonarExplorer&) = delete;  // its graph's explorer calls it back
+  SonarExplorer& operator=(const SonarExplorer&) = delete;
 
   void begin();
   GuideStep next(const Observation& observation, const NavigatorStep& navigator);
@@ -123,6 +125,7 @@ class SonarExplorer {
   void block_ahead();
   std::optional<Subgoal> subgoal();
   std::vector<Cell> way_to_aim();
+  std::vector<Cell> ends() const;
   std::vector<Cell> way_by_dstar_lite();
   double way_left() const;
   Vec2 standing() const;

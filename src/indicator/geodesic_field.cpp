@@ -20,23 +20,45 @@ constexpr Move kMoves[] = {{1, 0, kStraight}, {0, 1, kStraight},  {-1, 0, kStrai
 
 }  // namespace
 
-void GeodesicField::spread(const ConfigurationSpace& space, Cell start, double limit, bool unknown, WayCost cost) {
+void GeodesicField::clear() {
+  width_ = height_ = 0;
+  reached_.clear();
+}
+
+/// What lies within reach of the starts and in the map.
+void GeodesicField::make_room(const ConfigurationSpace& space, std::span<const Cell> starts, int reach) {
+  Cell low{space.width(), space.height()}, high{-1, -1};
+  for (const Cell start : starts) {
+    low = {std::min(low.x, start.x - reach), std::min(low.y, start.y - reach)};
+    high = {std::max(high.x, start.x + reach), std::max(high.y, start.y + reach)};
+  }
+  low_ = {std::max(low.x, 0), std::max(low.y, 0)};
+  width_ = std::max(std::min(high.x, space.width() - 1) - low_.x + 1, 0);
+  height_ = std::max(std::min(high.y, space.height() - 1) - low_.y + 1, 0);
+  steps_.assign(index(0, height_), -1);
+  reached_.clear();
+}
+
+void GeodesicField::spread(const ConfigurationSpace& space, std::span<const Cell> starts, double limit, bool unknown,
+                           WayCost cost, const Grid<std::uint8_t>* closed) {
   const bool room = cost == WayCost::room;
   const int open = room ? kParts : 1, round = kDiagonal * (room ? kMost : 1) + 1;  // no step is longer than the queue
   unit_ = space.resolution() / (kStraight * open);
   const int most = static_cast<int>(std::min(limit / unit_, 1e8));
   const int reach = std::min(most / (kStraight * open) + 1, std::max(space.width(), space.height()));
-  low_ = {start.x - reach, start.y - reach};
-  side_ = 2 * reach + 1;
-  steps_.assign(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), -1);
+  make_room(space, starts, reach);
   buckets_.resize(static_cast<std::size_t>(std::max(round, static_cast<int>(buckets_.size()))));
-  reached_.clear();
-  const auto passable = [&](Cell cell) { return space.free(cell) || (unknown && space.open(cell)); };
+  const auto passable = [&](Cell cell) {
+    return (unknown ? space.open(cell) : space.free(cell)) && !(closed && closed->at(cell, 1));
+  };
   const auto parts = [&](Cell cell) { return room ? std::min(kMost, open + space.crowded(cell, kCrowding)) : 1; };
-  if (!passable(start)) return;
-  steps(start) = 0;
-  buckets_[0].push_back(start);
-  int waiting = 1;
+  int waiting = 0;
+  for (const Cell start : starts) {
+    if (!passable(start)) continue;
+    steps(start) = 0;
+    buckets_[0].push_back(start);
+    ++waiting;
+  }
   for (int now = 0; waiting > 0; ++now) {
     std::vector<Cell>& bucket = buckets_[static_cast<std::size_t>(now % round)];
     for (const Cell cell : bucket) {  // steps lead to other buckets

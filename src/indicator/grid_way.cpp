@@ -66,6 +66,18 @@ std::optional<Cell> nearest_open(const ConfigurationSpace& space, const Vec2& at
   return nearest(space, at, within, [&](Cell cell) { return space.open(cell); });
 }
 
+std::vector<Cell> cells_at(const ConfigurationSpace& space, const Vec2& at, double within, bool unknown) {
+  const auto passes = [&](Cell cell) { return unknown ? space.open(cell) : space.free(cell); };
+  const Cell here = space.frame().cell(at);
+  if (passes(here)) return {here};
+  std::vector<Cell> cells;
+  const int reach = static_cast<int>(within / space.resolution()) + 1;
+  for (int y = here.y - reach; y <= here.y + reach; ++y)
+    for (int x = here.x - reach; x <= here.x + reach; ++x)
+      if ((space.frame().center({x, y}) - at).norm() <= within && passes({x, y})) cells.push_back({x, y});
+  return cells;
+}
+
 bool straight_way(const ConfigurationSpace& space, Cell from, Cell to) {
   const int steps = 2 * std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
   for (int i = 0; i <= steps; ++i) {

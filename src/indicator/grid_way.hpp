@@ -22,6 +22,10 @@ std::optional<Cell> nearest_free(const ConfigurationSpace& space, const Vec2& at
 /// The nearest cell where nothing speaks against the robot's being, within so many metres.
 std::optional<Cell> nearest_open(const ConfigurationSpace& space, const Vec2& at, double within);
 
+/// The cells in which a robot is at a place: the place's own, or, where that is not free (with `unknown`: is blocked),
+/// all within so many metres that are (are not).
+std::vector<Cell> cells_at(const ConfigurationSpace& space, const Vec2& at, double within, bool unknown);
+
 /// Nothing that is known stands on the straight way between two cells.
 bool straight_way(const ConfigurationSpace& space, Cell from, Cell to);
 

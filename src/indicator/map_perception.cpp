@@ -36,7 +36,14 @@ Cell middle(const std::vector<Cell>& piece) {
 
 }  // namespace
 
-MapPerception::MapPerception(const MapPerceptionOptions& options) : options_(options) { validate(options); }
+MapPerception::MapPerception(const MapPerceptionOptions& options) : options_(options) {
+  validate(options);
+  if (options.ball + options.shell > options.window)
+    fail(
+        "options 'ports.ball', 'ports.shell' and 'ports.window': a window that the ball and its shell lie in expected, "
+        "got {}, {} and {} m",
+        options.ball, options.shell, options.window);
+}
 
 const std::vector<Cell>& MapPerception::ball(const ConfigurationSpace& map, std::size_t which, const Vec2& place) {
   if (which >= balls_.size()) balls_.resize(which + 1);
@@ -167,11 +174,6 @@ MapPerception::Behind MapPerception::look_behind(const ConfigurationSpace& map, 
   }
   for (const Cell cell : queue_) mark(cell) &= static_cast<std::uint8_t>(~kVisited);
   return behind;
-}
-
-bool MapPerception::may_reach(const ConfigurationSpace& map, const Vec2& from, const Vec2& goal) {
-  other_.spread(map, map.frame().cell(from), 1e9, true);
-  return std::isfinite(other_.at(map.frame().cell(goal)));
 }
 
 }  // namespace meander

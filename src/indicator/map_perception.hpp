@@ -50,9 +50,6 @@ class MapPerception {
   std::vector<MapPort> ports(const ConfigurationSpace& map, std::span<const Vec2> indicators, std::size_t which,
                              const Vec2& goal);
 
-  /// Is there a way, with unknown taken as passable? If not, the goal cannot be reached, whatever is still unknown.
-  bool may_reach(const ConfigurationSpace& map, const Vec2& from, const Vec2& goal);
-
  private:
   struct Behind {
     bool worth = false;   ///< a frontier, the goal, or more than the window shows

@@ -7,9 +7,8 @@
 namespace meander {
 namespace {
 
-constexpr double kFarthest = 1e6;    ///< [m]
-constexpr double kMostCells = 40e6;  ///< of a file
-constexpr int kRun = 64;             ///< cells in a line
+constexpr double kFarthest = 1e6;  ///< [m]
+constexpr int kRun = 64;           ///< cells in a line
 
 Vec2 place(const TextLines& lines, std::size_t word) {
   const Vec2 at{lines.number(word), lines.number(word + 1)};
@@ -56,8 +55,8 @@ void read_occupancy_lines(TextLines& lines, SonarOccupancy& map) {
   memory.low = place(lines, 5);
   memory.high = place(lines, 7);
   const Vec2 room = (memory.high - memory.low) / map.space().resolution();
-  if (!(room.minCoeff() >= 0) || !((room.x() + 1) * (room.y() + 1) <= kMostCells))
-    lines.wrong("a room of 1 to {:g} cells expected", kMostCells);
+  if (!(room.minCoeff() >= 0) || !((room.x() + 1) * (room.y() + 1) <= SonarOccupancy::kMostCells))
+    lines.wrong("a room of 1 to {:g} cells expected", SonarOccupancy::kMostCells);
   memory.evidence = map.empty_room(memory.low, memory.high);
   while (lines.next() && lines.is("cells")) read_cells(lines, memory.evidence);
   if (!lines.is("done")) lines.wrong("'cells' or 'done' expected");

@@ -12,18 +12,21 @@ namespace meander {
 /// Then where does it leave what is known? That place is worth a look. One for one run.
 class SecondLook {
  public:
-  /// Shortly beyond the last free place on the way from the robot's cell, if there is a way; weak walls there are
-  /// forgotten. A place
-  /// that was looked at before and is still in doubt is closed for good, so that this comes to an end.
-  std::optional<Vec2> next(SonarOccupancy& map, Cell from, Cell goal);
+  /// Shortly beyond the last free place on the way from where the robot stands to within `arrive` of the goal; weak
+  /// walls there are forgotten. No way leads through what is still in doubt at a place that was looked at before, so
+  /// that this comes to an end. None: no way is left, whatever is still unknown.
+  std::optional<Vec2> next(SonarOccupancy& map, const Vec2& at, const Vec2& goal, double arrive);
   int count() const { return static_cast<int>(looked_.size()); }
+  /// Marks what is closed to the way to the place of the last look: what is still in doubt at the places before.
+  const Grid<std::uint8_t>& closed_before(const ConfigurationSpace& map) { return close(map, count() - 1); }
 
  private:
-  std::optional<Vec2> along(SonarOccupancy& map, const ConfigurationSpace& space, Cell from, Cell goal);
-  bool looked_at(const Vec2& place) const;
-  void close(SonarOccupancy& map, Cell cell);
+  const Grid<std::uint8_t>& close(const ConfigurationSpace& map, int looks);
+  std::vector<Cell> way_over(const ConfigurationSpace& space, const Vec2& at, const Vec2& goal, double arrive);
+  Vec2 look(SonarOccupancy& map, const std::vector<Cell>& way);
 
   GeodesicField field_;
+  Grid<std::uint8_t> closed_;
   std::vector<Vec2> looked_;
 };
 

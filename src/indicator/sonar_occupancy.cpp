@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace meander {
 namespace {
@@ -70,11 +71,13 @@ void SonarOccupancy::listen(const Observation& observation) {
 void SonarOccupancy::stand(const Vec2& at) {
   const GridFrame& frame = space_.frame();
   const double inside = std::max(radius_ - options_.resolution, 0.0);
-  const Cell low = frame.cell(at - Vec2(inside, inside)), high = frame.cell(at + Vec2(inside, inside));
+  const Cell low = frame.cell(at - Vec2(radius_, radius_)), high = frame.cell(at + Vec2(radius_, radius_));
   for (int y = low.y; y <= high.y; ++y)
-    for (int x = low.x; x <= high.x; ++x)
-      if ((frame.center({x, y}) - at).norm() <= inside && evidence({x, y}) > 2 * kFree)
-        add({x, y}, 2 * kFree - evidence({x, y}));
+    for (int x = low.x; x <= high.x; ++x) {
+      const double away = (frame.center({x, y}) - at).norm(), known = evidence({x, y});
+      const bool under = away <= inside || (away <= radius_ && known <= kSure);  // a wall may be touched
+      if (under && known > 2 * kFree) add({x, y}, 2 * kFree - known);
+    }
 }
 
 void SonarOccupancy::feel(const Observation& observation) {
@@ -150,13 +153,29 @@ ConfigurationSpace SonarOccupancy::without_weak() const {
   return space;
 }
 
+bool SonarOccupancy::has_room(const Vec2& point) const {
+  return space_.width() > 0 && (point - low_).minCoeff() >= kRim && (high_ - point).minCoeff() >= kRim;
+}
+
+/// Its lower and its upper corner.
+std::pair<Vec2, Vec2> SonarOccupancy::room_with(const Vec2& point) const {
+  const Vec2 room(kRoom, kRoom), least = point - room, most = point + room;
+  if (space_.width() == 0) return {least, most};
+  return {low_.cwiseMin(least), high_.cwiseMax(most)};
+}
+
+double SonarOccupancy::cells_with(const Vec2& point) const {
+  if (has_room(point)) return static_cast<double>(space_.width()) * space_.height();
+  const auto [low, high] = room_with(point);
+  return ((high - low) / options_.resolution + Vec2(2, 2)).prod();
+}
+
 void SonarOccupancy::include(const Vec2& point) {
-  const bool first = space_.width() == 0;
-  const Vec2 rim(kRim, kRim), room(kRoom, kRoom);
-  if (!first && (point - low_).minCoeff() >= kRim && (high_ - point).minCoeff() >= kRim) return;
-  const Vec2 least = point - room, most = point + room;
-  low_ = first ? least : Vec2(low_.cwiseMin(least));
-  high_ = first ? most : Vec2(high_.cwiseMax(most));
+  if (has_room(point)) return;
+  if (!(cells_with(point) <= kMostCells))
+    fail<Error>("sonar map: room around ({:g}, {:g}) m takes more than {:g} cells of {:g} m", point.x(), point.y(),
+                kMostCells, options_.resolution);
+  std::tie(low_, high_) = room_with(point);
   const double side = options_.resolution;
   low_ = side * Vec2(std::floor(low_.x() / side), std::floor(low_.y() / side));  // what is known moves by whole cells
   make_room(empty_room(low_, high_), std::move(evidence_));

@@ -47,8 +47,12 @@ class SonarOccupancy {
 
   /// Takes in one scan, and what the bumpers feel.
   void update(const Observation& observation);
-  /// Makes room around a point. Frames that change make positions of cells, and all that hangs on them, stale.
+  /// Makes room around a point. Frames that change make positions of cells, and all that hangs on them, stale. Throws
+  /// Error where that takes more than kMostCells.
   void include(const Vec2& point);
+  /// As many cells the map has with room around a point.
+  double cells_with(const Vec2& point) const;
+  static constexpr double kMostCells = 16e6;
   int frames() const { return frames_; }
   int scans() const { return scans_; }
 
@@ -83,6 +87,8 @@ class SonarOccupancy {
     Vec2 at{0, 0}, axis{1, 0};
     double reading = 0;
   };
+  bool has_room(const Vec2& point) const;
+  std::pair<Vec2, Vec2> room_with(const Vec2& point) const;
   void make_room(Grid<float> room, Grid<float> known);
   void listen(const Observation& observation);
   void stand(const Vec2& at);

@@ -18,6 +18,11 @@ constexpr double kProminent = 0.3;             ///< a dip that divides an interv
 SonarProfile::SonarProfile(const Platform& platform, const SonarProfileOptions& options)
     : options_(options), ring_(platform.sonar), radius_(std::max(platform.body.radius - options.slim, 0.01)) {
   validate(options);
+  if (options.most * options.directions < 2 * kPi)
+    fail(
+        "options 'profile.directions' and 'profile.most': intervals of at least one direction, {:g} rad, expected, got "
+        "{} rad",
+        2 * kPi / options.directions, options.most);
   const SinCos half = sin_cos(options.beam);
   tangent_ = half.sin / half.cos;
 }
@@ -111,18 +116,21 @@ std::vector<SeenPort> SonarProfile::openings(const Vec2& at) {
 }
 
 /// At its deepest dip where that stands out on both sides, else in the middle.
-void SonarProfile::divide(const Interval& interval, std::vector<Interval>& pieces) const {
-  if (interval.count * 2 * kPi / options_.directions <= options_.most) {
+void SonarProfile::divide(const Interval& interval, std::vector<Interval>& pieces) {
+  if (interval.count < 2 || interval.count * 2 * kPi / options_.directions <= options_.most) {
     pieces.push_back(interval);
     return;
   }
   int cut = interval.count / 2;
   double deepest = kProminent;
+  rest_.assign(static_cast<std::size_t>(interval.count), 0);  // the longest way to the right of each direction
+  for (int i = interval.count - 2; i >= 0; --i)
+    rest_[static_cast<std::size_t>(i)] =
+        std::max(rest_[static_cast<std::size_t>(i) + 1], length(interval.first + i + 1));
+  double left = 0;
   for (int i = 1; i + 1 < interval.count; ++i) {
-    double left = 0, right = 0;
-    for (int k = 0; k < i; ++k) left = std::max(left, length(interval.first + k));
-    for (int k = i + 1; k < interval.count; ++k) right = std::max(right, length(interval.first + k));
-    const double depth = std::min(left, right) - length(interval.first + i);
+    left = std::max(left, length(interval.first + i - 1));
+    const double depth = std::min(left, rest_[static_cast<std::size_t>(i)]) - length(interval.first + i);
     if (depth <= deepest) continue;
     deepest = depth;
     cut = i;

@@ -70,7 +70,7 @@ class SonarProfile {
   };
   void look(const Vec2& at);
   double length(int direction) const;
-  void divide(const Interval& interval, std::vector<Interval>& pieces) const;
+  void divide(const Interval& interval, std::vector<Interval>& pieces);
 
   SonarProfileOptions options_;
   RingLayout ring_;
@@ -78,6 +78,7 @@ class SonarProfile {
   double tangent_;  ///< of half a beam
   std::deque<Echo> echoes_;
   std::vector<double> lengths_;  ///< by direction [m]
+  std::vector<double> rest_;     ///< of an interval that is divided [m]
   double walked_ = 0;
   std::optional<Vec2> last_;
 };

@@ -141,5 +141,38 @@ TEST(SonarExplorer, AGoalBeyondTheWallsIsGivenUpInWords) {
   EXPECT_EQ(explorer.ending(), Ending::no_passable_direction) << explorer.reason();
 }
 
+TEST(SonarExplorer, AFrontierIsGivenUpOnlyAfterADriveToIt) {
+  const Platform& robot = platform("nomad200");
+  SonarExplorerOptions options;
+  options.strategy = ExplorationStrategy::frontier;
+  SonarExplorer explorer({1.2, 0.5}, robot, options);
+  for (int i = 0; i < 3; ++i) explorer.next(in_room(robot, {0, 0}, i * robot.period), {});
+  const ConfigurationSpace& space = explorer.map().space();
+  for (double x = -0.5; x <= 0.5; x += 0.05)
+    for (double y = -0.5; y <= 0.5; y += 0.05)
+      EXPECT_NE(space.known(space.frame().cell({x, y})), Known::wall) << x << " " << y;
+}
+
+TEST(SonarExplorer, AGoalWhoseCellIsReachedAndWhichItselfIsNotIsDrivenTo) {
+  const Platform& robot = platform("nomad200");
+  const Vec2 goal(0.1999, 0.0499);  // its cell's centre is within `arrive` of the origin
+  for (const auto strategy : {ExplorationStrategy::frontier, ExplorationStrategy::goal_frontier}) {
+    SonarExplorerOptions options;
+    options.strategy = strategy;
+    SonarExplorer explorer(goal, robot, options);
+    int cycle = 0;
+    for (double y = -1.5; y <= 1.5; y += 0.25)
+      for (double x = -1.5; x <= 1.5; x += 0.1) explorer.next(in_room(robot, {x, y}, ++cycle * robot.period), {});
+    explorer.begin();
+    const GuideStep step = explorer.next(in_room(robot, {0, 0}, ++cycle * robot.period), {});
+    ASSERT_TRUE(step.subgoal) << to_string(strategy) << ": " << step.reason;
+    EXPECT_LT((step.subgoal->position - goal).norm(), 0.1);
+    const GuideStep trapped = explorer.next(in_room(robot, {0.05, 0}, ++cycle * robot.period),
+                                            {.command = {}, .status = NavigatorStatus::trapped});
+    EXPECT_FALSE(trapped.subgoal);
+    EXPECT_EQ(explorer.ending(), Ending::reached) << explorer.reason();
+  }
+}
+
 }  // namespace
 }  // namespace meander

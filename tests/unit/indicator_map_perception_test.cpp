@@ -131,12 +131,8 @@ TEST(MapPerception, PortsDoNotChangeWhileTheRobotMovesAboutAnIndicator) {
   }
 }
 
-TEST(MapPerception, SaysWhenNothingUnknownCanLeadToTheGoal) {
-  const std::vector<std::string> walled = {"#######", "#..#  #", "#..#  #", "####  #", "#######"};
-  const std::vector<std::string> gap = {"#######", "#..#  #", "#..   #", "#  #  #", "#######"};
-  MapPerception perception;
-  EXPECT_FALSE(perception.may_reach(drawn(walled), at(2, 3), at(5, 3)));
-  EXPECT_TRUE(perception.may_reach(drawn(gap), at(2, 3), at(5, 2)));
+TEST(MapPerception, ABallThatItsWindowDoesNotHoldIsRefused) {
+  EXPECT_THROW(MapPerception({.ball = 4, .shell = 0.12, .window = 4}), ArgumentError);
 }
 
 }  // namespace
