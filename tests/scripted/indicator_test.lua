@@ -99,6 +99,19 @@ describe("an explorer", function()
   end)
 end)
 
+describe("a planner over cells", function()
+  it("keeps to the shortest way by what it has seen, and ends with the shortest there is", function()
+    local cells = indicator.labyrinth { size = 9, loops = 0.1, seed = 3 }
+    local planner = cells:planner()
+    local run
+    repeat run = planner:walk(cells) until planner.proven or run.ending ~= "reached"
+    expect(run.length):equals(cells:shortest())
+    expect(tostring(planner)):is("cell_planner: the shortest way is known")
+    expect(function() planner:walk(indicator.labyrinth { size = 4 }) end):throws("9 x 9 cells expected")
+    expect(cells:planner(cells.start):walk(cells).length):equals(0)
+  end)
+end)
+
 describe("a labyrinth", function()
   it("is explored to the shortest route", function()
     local cells = indicator.labyrinth { kind = "prim", size = 9, loops = 0.1, seed = 3 }
