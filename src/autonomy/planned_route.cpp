@@ -30,7 +30,11 @@ class PlannedRoute {
     if (asked_ && navigator.status == NavigatorStatus::arrived && now_ + 1 == path_.size()) return finished("", true);
     watch(at);
     const bool stuck = asked_ && (navigator.status == NavigatorStatus::trapped || driven_ > allowed_);
-    if (stuck && !escape(at, navigator.reason)) return finished(reason_);
+    if (stuck) {
+      if (!escape(at, navigator.reason)) return finished(reason_);
+      tried_ = observation.time;
+      tried_at_ = at;
+    }
     if (map_->version != version_ && !still_clear() && !plan(at)) return finished(reason_);
     look(at, observation.time);
     advance(at);
@@ -93,6 +97,7 @@ class PlannedRoute {
     path_.push_back(*target);
     clearance_.emplace(map.solid);
     now_ = 0;
+    reach_ = options_.reach;
     asked_ = false;
     return true;
   }
@@ -191,8 +196,8 @@ class PlannedRoute {
   /// [LM99+] Something that nobody has heard yet may stand where the subgoal is: one half as far on the same path
   /// brings the robot to where it hears it, or past it.
   bool nearer(const Vec2& at) {
-    const double half = std::min(reach_, (path_[now_] - at).norm()) / 2;
-    if (half < options_.hand_over / 2) return false;
+    const double half = (path_[now_] - at).norm() / 2;
+    if (reach_ < options_.reach || half < options_.hand_over / 2) return false;
     reach_ = half;
     const auto end = path_.begin() + static_cast<std::ptrdiff_t>(now_) + 1;
     const auto here = std::min_element(path_.begin(), end, [&](const Vec2& a, const Vec2& b) {
