@@ -11,6 +11,7 @@
 
 #include "../tests/unit/planning_neural_maps.hpp"
 #include "planning/distance_transform.hpp"
+#include "planning/harmonic.hpp"
 #include "planning/neural_map.hpp"
 #include "planning/neural_replanner.hpp"
 #include "planning/neural_tiles.hpp"
@@ -89,6 +90,19 @@ BENCHMARK(solve)
     ->ArgsProduct({{0, 1, 2}, {1000}, {1, 2, 3}})
     ->Iterations(3)
     ->Unit(benchmark::kMillisecond);
+
+/// Harmonic functions, exactly, and how many times as long as the neural map they take. Arguments: kind, size.
+void harmonic_exact(benchmark::State& state) {
+  const PlanningProblem p = problem(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  const double neural = best_of_three([&] { benchmark::DoNotOptimize(solve_tiles(p, {})); });
+  const double exact = best_of_three([&] { benchmark::DoNotOptimize(meander::harmonic(p)); });
+  for (auto _ : state) benchmark::DoNotOptimize(p);
+  state.SetLabel(kKinds[state.range(0)]);
+  state.counters["exact_ms"] = 1000 * exact;
+  state.counters["neural_ms"] = 1000 * neural;
+  state.counters["x_neural"] = exact / neural;
+}
+BENCHMARK(harmonic_exact)->ArgsProduct({{0, 1, 2, 3}, {50, 200, 500}})->Iterations(1);
 
 /// Updates per cell of every solver, 200 x 200.
 void solvers(benchmark::State& state) {
