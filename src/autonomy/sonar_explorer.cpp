@@ -41,6 +41,7 @@ SonarExplorer::SonarExplorer(const Vec2& goal, const Platform& platform, const S
 
 void SonarExplorer::begin() {
   explorer_.begin();
+  doors_.begin(map_, explorer_.state().run, options_.explorer.recheck);
   way_.begin();
   look_ = {};
   set_down_ = false;

@@ -3,6 +3,7 @@
 #pragma once
 #include <memory>
 
+#include "indicator/door_doubt.hpp"
 #include "indicator/explorer.hpp"
 #include "indicator/free_space_way.hpp"
 #include "indicator/map_sight.hpp"
@@ -98,6 +99,7 @@ class SonarExplorer {
   int second_looks() const { return look_.count(); }
 
  private:
+  friend std::string to_text(const SonarExplorer& explorer);
   friend std::shared_ptr<SonarExplorer> sonar_explorer_from_text(const std::string& text, const std::string& path);
   /// What it drives to.
   enum class Toward { nothing, goal, port, indicator, look, frontier };
@@ -137,6 +139,7 @@ class SonarExplorer {
   Platform platform_;
   SonarExplorerOptions options_;
   SonarOccupancy map_;
+  DoorDoubt doors_;
   MapSight sight_;
   MapPerception perception_;
   ProfileWay way_;

@@ -5,6 +5,8 @@
 #include <new>
 #include <set>
 
+#include "autonomy/sonar_explorer.hpp"
+
 namespace meander::script {
 namespace {
 
@@ -54,6 +56,9 @@ std::deque<InUse> seized(const Sim& sim, const std::vector<PilotTable>& tables, 
   for (const PilotTable& table : tables) {
     mark(table.navigator, "navigator");
     mark(table.guide, "guide");
+    if (!table.guide || !table.guide->object) continue;
+    const auto explorer = explorer_of(*static_cast<const Guide*>(table.guide->object));
+    if (explorer) in_use.emplace_back(L, explorer.get(), "explorer");  // it gives as many guides as are asked for
   }
   return in_use;
 }

@@ -36,6 +36,34 @@ describe("an explorer in a small labyrinth", function()
     expect(placed > 0 and decided == 2 * a[2]):is_true()
   end)
 
+  it("is not driven by the functions that it calls, nor by two robots, and goes on after an error of theirs", function()
+    local cells = meander.indicator.labyrinth { size = 3, loops = 0.2, seed = 4 }
+    local what, e = "drive"
+    e = meander.indicator.sonar_explorer(course.explorer {
+      goal = cells.goal,
+      on_decision = function(decision)
+        if what == "drive" then course.run { world = cells:world(), explorer = e, seed = 1 } end
+        if what == "fail" and decision.decisions == 1 then error("mine", 0) end
+        if what == "yield" then coroutine.yield() end
+        local file = os.tmpname()
+        e:save(file)
+        expect(#meander.indicator.open_sonar_explorer(file):graph()):is(#e:graph())
+      end,
+    })
+    local function go() return course.run { world = cells:world(), explorer = e, seed = 1 } end
+    expect(go):throws "explorer is at work"
+    what = "fail"
+    expect(go):throws "mine"
+    what = "yield"
+    expect((coroutine.wrap(function() return pcall(go) end)())):is(false)
+    what = "look"
+    go()
+    expect(e.ending):is("reached")
+    local both = { navigator = "polar", guide = e:guide() }
+    local sim = meander.sim.new { world = cells:world(), robots = { {}, { start = { 1.5, 0.5, 0 } } } }
+    expect(function() sim:drive { pilots = { both, { navigator = "polar", guide = e:guide() } } } end):throws "explorer is at work"
+  end)
+
   it("says so when the goal is walled in", function()
     local cells = meander.indicator.labyrinth { size = 3, loops = 0.2, seed = 2 }
     cells:set_open(3, 3, "west", false)
