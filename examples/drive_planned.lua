@@ -77,15 +77,20 @@ local function task_of(seed)
     return task
   end
   local share, low, high = draws(seed), original.bounds[1], original.bounds[2]
-  local function somewhere() return { low.x + share() * (high.x - low.x), low.y + share() * (high.y - low.y) } end
-  for _ = 1, 5000 do
+  local function somewhere()
+    local x, y
+    for _ = 1, 10000 do
+      x, y = low.x + share() * (high.x - low.x), low.y + share() * (high.y - low.y)
+      if not map:solid(x, y) then break end
+    end
+    return { x, y }
+  end
+  for _ = 1, 500 do
     local task = { start = somewhere(), goal = somewhere() }
-    if not map:solid(task.start[1], task.start[2]) and not map:solid(task.goal[1], task.goal[2]) then
-      task.plan = path(map, task, radius + 0.1, options.planner)
-      if task.plan and task.plan.measures.length >= options.far then
-        task.heading = 360 * share()
-        return task
-      end
+    task.plan = path(map, task, radius + 0.1, options.planner)
+    if task.plan and task.plan.measures.length >= options.far then
+      task.heading = 360 * share()
+      return task
     end
   end
   report.failure("no start and goal found that are " .. options.far .. " m apart")
