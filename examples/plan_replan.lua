@@ -43,7 +43,7 @@ end
 local function follow(replanner, task, stride)
   local plan, why = replanner:replan()
   local step = { relaxations = math.tointeger(replanner.relaxations), plan = plan, reason = why }
-  local anew = meander.planning.plan { map = task.map, target = task.target, robot_radius = task.robot_radius, solver = "active_list" }
+  local anew = meander.planning.plan { map = task.map, target = task.target, robot_radius = task.robot_radius }
   if not anew then return step end
   step.cells, step.anew = math.tointeger(anew.statistics.cells), math.tointeger(anew.statistics.relaxations)
   if plan then step.difference = difference(plan, anew, task.map, stride) end
