@@ -82,6 +82,10 @@ void add_units(TileMap& map, std::int32_t s) {
   range.first = static_cast<std::int32_t>(map.units.size());
   add_parts(map, s, map.corners);
   range.end = static_cast<std::int32_t>(map.units.size());
+  const std::int32_t t = map.tile[static_cast<std::size_t>(s)];
+  for (std::int32_t u = range.first; u < range.end; ++u)
+    map.units[static_cast<std::size_t>(u)].colour =
+        static_cast<std::uint8_t>(t % map.across % 2 + t / map.across % 2 * 2);
 }
 
 std::int32_t add_slot(TileMap& map, std::int32_t t) {

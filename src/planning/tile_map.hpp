@@ -25,6 +25,7 @@ struct TileUnit {
   std::int32_t links = -1;  ///< of TileMap::links; -1: every diagonal between open cells is a link
   std::int32_t curve = -1;  ///< where tanh is not the identity: what keeps its gains
   std::uint8_t sides = 0;   ///< where something changed: bit TileScratch::Side
+  std::uint8_t colour = 0;  ///< whether the column and the row of its tile are odd: units of one colour are apart
   bool full = false;        ///< all 256 cells
   bool touched = false;     ///< relaxed since the equations were checked last
   bool fresh = false;       ///< holds a target of which nobody has heard yet

@@ -96,10 +96,13 @@ void TileSolver::push(std::int32_t number, std::int32_t key, std::uint8_t sides)
 /// every second row together, because none of them sees another.
 void TileSolver::run(double threshold, RoundTeam* team, const Work& work) {
   std::vector<std::int32_t> bucket, together;
+  std::array<std::vector<std::int32_t>, 4> of_colour;
   while (queue_.pop(bucket)) {
     work.poll();
-    for (int colour = 0; colour < 4; ++colour) {
-      take_colour(bucket, colour, together);
+    for (std::vector<std::int32_t>& units : of_colour) units.clear();
+    for (const std::int32_t number : bucket) of_colour[unit(number).colour].push_back(number);
+    for (const std::vector<std::int32_t>& units : of_colour) {
+      take_those_in_turn(units, together);
       relax_together(together, threshold, team);
     }
     work.report(std::min(1.0, static_cast<double>(awake_) / static_cast<double>(map_.units.size())), "neural map");
@@ -107,13 +110,11 @@ void TileSolver::run(double threshold, RoundTeam* team, const Work& work) {
 }
 
 /// Of units in the same tile only the first is taken, the others come with the next round.
-void TileSolver::take_colour(const std::vector<std::int32_t>& bucket, int colour, std::vector<std::int32_t>& together) {
+void TileSolver::take_those_in_turn(const std::vector<std::int32_t>& units, std::vector<std::int32_t>& together) {
   together.clear();
   ++round_;
-  for (const std::int32_t number : bucket) {
+  for (const std::int32_t number : units) {
     TileUnit& unit = map_.units[static_cast<std::size_t>(number)];
-    const std::int32_t tile = map_.tile[static_cast<std::size_t>(unit.slot)];
-    if ((tile % map_.across % 2 + tile / map_.across % 2 * 2) != colour) continue;
     if (unit.key != queue_.turn()) continue;  // it was taken up before
     unit.key = std::numeric_limits<std::int32_t>::max();
     if (std::exchange(taken_[static_cast<std::size_t>(unit.slot)], round_) == round_)

@@ -36,7 +36,7 @@ class TileSolver {
   void push(std::int32_t number, std::int32_t key, std::uint8_t sides);
   void settle(const Work& work);
   void run(double threshold, RoundTeam* team, const Work& work);
-  void take_colour(const std::vector<std::int32_t>& bucket, int colour, std::vector<std::int32_t>& together);
+  void take_those_in_turn(const std::vector<std::int32_t>& units, std::vector<std::int32_t>& together);
   void relax_together(const std::vector<std::int32_t>& units, double threshold, RoundTeam* team);
   void hear(const TileOutcome& outcome);
   std::vector<std::int32_t> touched();
