@@ -89,6 +89,31 @@ std::string text(const SonarExplorer& explorer) {
   "w = meander.world.new { bounds = {{-2, -2}, {6, 2}}, start = {0, 0, 0} } s = meander.sim.new { world = w } " \
   "s:drive { navigator = 'polar', guide = e:guide() } "
 
+/// What its last run came to.
+void bind_ending(lua_State* L) {
+  Type<SonarExplorer>(L)
+      .property<&ending>(PropertyDoc{.name = "ending",
+                                     .text = "'driving', or how the last run ended: 'reached', "
+                                             "'no_passable_direction', 'trapped', 'budget'.",
+                                     .example = DROVE "print(e.ending)"})
+      .property<&reason>(
+          PropertyDoc{.name = "reason", .text = "Why it ended, in words.", .example = DROVE "print(e.reason)"})
+      .property<&walked>(
+          PropertyDoc{.name = "walked", .text = "Driven in this run.", .unit = "m", .example = DROVE "print(e.walked)"})
+      .property<&decisions>(
+          PropertyDoc{.name = "decisions", .text = "Taken in all runs.", .example = DROVE "print(e.decisions)"})
+      .property<&SonarExplorer::blocked>(PropertyDoc{.name = "blocked",
+                                                     .text = "Ways on which it did not get through in this run.",
+                                                     .example = DROVE "print(e.blocked)"})
+      .property<&SonarExplorer::second_looks>(
+          PropertyDoc{.name = "second_looks",
+                      .text = "How often in this run it had no port left and looked again before it gave the goal up.",
+                      .example = DROVE "print(e.second_looks)"})
+      .property<&proven>(PropertyDoc{.name = "proven",
+                                     .text = "Nothing unknown can shorten the route by more than eps.",
+                                     .example = DROVE "print(e.proven)"});
+}
+
 }  // namespace
 
 void bind_sonar_explorer(lua_State* L) {
@@ -132,27 +157,8 @@ void bind_sonar_explorer(lua_State* L) {
                           .args = {{"at", "the point", "m"}},
                           .returns = "'free', 'wall' or 'unknown'",
                           .example = DROVE "print(e:known {1, 0})"})
-      .property<&ending>(PropertyDoc{.name = "ending",
-                                     .text = "'driving', or how the last run ended: 'reached', "
-                                             "'no_passable_direction', 'trapped', 'budget'.",
-                                     .example = DROVE "print(e.ending)"})
-      .property<&reason>(
-          PropertyDoc{.name = "reason", .text = "Why it ended, in words.", .example = DROVE "print(e.reason)"})
-      .property<&walked>(
-          PropertyDoc{.name = "walked", .text = "Driven in this run.", .unit = "m", .example = DROVE "print(e.walked)"})
-      .property<&decisions>(
-          PropertyDoc{.name = "decisions", .text = "Taken in all runs.", .example = DROVE "print(e.decisions)"})
-      .property<&SonarExplorer::blocked>(PropertyDoc{.name = "blocked",
-                                                     .text = "Ways on which it did not get through in this run.",
-                                                     .example = DROVE "print(e.blocked)"})
-      .property<&SonarExplorer::second_looks>(
-          PropertyDoc{.name = "second_looks",
-                      .text = "How often in this run it had no port left and looked again before it gave the goal up.",
-                      .example = DROVE "print(e.second_looks)"})
-      .property<&proven>(PropertyDoc{.name = "proven",
-                                     .text = "Nothing unknown can shorten the route by more than eps.",
-                                     .example = DROVE "print(e.proven)"})
       .text<&text>();
+  bind_ending(L);
 }
 
 }  // namespace meander::script
