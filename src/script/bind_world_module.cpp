@@ -105,7 +105,7 @@ void bind_world_module(lua_State* L) {
       .function<&import>(
           Doc{.name = "import",
               .text = "Reads other people's maps by suffix: world files, ROS maps (.yaml), pictures of floor "
-                      "plans (.png, .pgm, .jpg), BARN tables (.csv), MovingAI maps (.map).",
+                      "plans (.png, .pgm, .jpg), BARN tables (.csv), MovingAI maps and ARIA line maps (.map).",
               .args = {{"path", "a .toml, .yaml, .yml, .png, .pgm, .jpg, .jpeg, .bmp, .tif, .tiff, .csv or .map file"},
                        {"options", "how to read it"}},
               .returns = "the world, and a list of lines that say what was done",

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/text_file.hpp"
+#include "world/import_aria.hpp"
 #include "world/text.hpp"
 #include "world/world_file.hpp"
 
@@ -31,14 +33,16 @@ Imported from_barn(const std::string& path, const ImportOptions& o, const Work& 
   return import_barn(path, {o.index}, work);
 }
 
-Imported from_movingai(const std::string& path, const ImportOptions& o, const Work& work) {
-  return import_movingai(path, {o.resolution, trace_options(o)}, work);
+Imported from_map(const std::string& path, const ImportOptions& o, const Work& work) {
+  const std::string text = read_text_file(path, 256 << 20);
+  if (is_aria_map(text)) return aria_from_text(text, path, work);
+  return movingai_from_text(text, path, {o.resolution, trace_options(o)}, work);
 }
 
 constexpr std::pair<const char*, Importer> kImporters[] = {
     {".toml", from_toml},   {".yaml", from_ros_map}, {".yml", from_ros_map},  {".png", from_picture},
     {".pgm", from_picture}, {".jpg", from_picture},  {".jpeg", from_picture}, {".bmp", from_picture},
-    {".tif", from_picture}, {".tiff", from_picture}, {".csv", from_barn},     {".map", from_movingai}};
+    {".tif", from_picture}, {".tiff", from_picture}, {".csv", from_barn},     {".map", from_map}};
 
 }  // namespace
 

@@ -40,7 +40,7 @@ void fields(Options& o, Visitor&& visit) {
 }
 
 /// Reads a world of any known format, told by the suffix: .toml (world file), .yaml .yml (ROS map), .png .pgm .jpg
-/// .jpeg .bmp .tif .tiff (picture of a floor plan), .csv (BARN cylinders), .map (MovingAI). Throws FileError that lists
+/// .jpeg .bmp .tif .tiff (picture of a floor plan), .csv (BARN cylinders), .map (MovingAI, ARIA). Throws FileError that lists
 /// the suffixes.
 Imported import_world(const std::string& path, const ImportOptions& options = {}, const Work& work = {});
 
