@@ -85,6 +85,19 @@ TEST(NeuralReplanner, ManyEditsOnTilesStayExact) {
     }
 }
 
+TEST(NeuralReplanner, AfterAStopTheNextEditSolvesAnew) {
+  StopToken stop;
+  Work work;
+  work.stop = &stop;
+  const PlanningProblem problem = problem_on(rooms(100, 100, 25, 2320), 2321);
+  NeuralReplanner replanner(problem);
+  stop.request();
+  EXPECT_THROW(replanner.edit(std::vector<CellEdit>{{{50, 50}, true}}, work), Cancelled);
+  replanner.edit(std::vector<CellEdit>{{{51, 50}, true}});
+  expect_alike(replanner.landscape().value,
+               neural_map(replanner.problem(), {.solver = NeuralSolver::active_list}).value);
+}
+
 TEST(NeuralReplanner, FarEditsCostLittle) {
   NeuralReplanner replanner({.blocked = open_floor(400, 400), .targets = {{3, 3}}});
   const std::int64_t all = replanner.last_relaxations();
