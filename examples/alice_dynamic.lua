@@ -12,7 +12,7 @@ local report = require "meander.report"
 local options = require "meander.arguments" {
   about = "changes the world under a topologic map",
   { "--world NAMES", default = "alice_loop", help = "alice_loop, alice_rooms, with commas, or all" },
-  { "--change NAMES", default = "removed", help = "removed, added, none, with commas, or all" },
+  { "--change NAMES", default = "removed", help = "removed, added, passing (put there, taken away half-way to the end), none, with commas, or all" },
   { "--forgetting NAMES", default = "doubt", help = "doubt (contacts suspend links), none, oracle, with commas, or all" },
   { "--samples N", default = 5000, least = 100, most = 1000000, help = "to gather" },
   { "--after N", default = 3500, least = 0, help = "samples until the wall comes or goes" },
@@ -31,6 +31,7 @@ end
 local figures = {
   "gap_closed_after", "first_passage", "links_through_wall_left", "washed_out", "suspended_elsewhere", "contact_samples",
   "success", "false_arrivals",
+  "suspended_by_wall", "came_back",
 }
 local kNear = 0.36 -- a contact this near to the gate is one with it [m]
 
@@ -61,6 +62,7 @@ end
 local function trial(name, change, forgetting, seed)
   local seen, moments, before = { contacts = 0 }, {}, nil
   local gate
+  local blocked = {} -- links that were suspended when a passing wall went
   local function picture(robot, word)
     if options.out == "" or seed ~= options.first_seed then return end
     local stem = ("%s_%s_%s_%s.svg"):format(name, change, forgetting, word)
@@ -71,11 +73,18 @@ local function trial(name, change, forgetting, seed)
     local here = { x = pose[1], y = pose[2] }
     if sample == options.after then
       picture(robot, "before")
-      if change == "removed" then robot.sim.world:open("gate") elseif change == "added" then robot.sim.world:close("gate") end
+      if change == "removed" then robot.sim.world:open("gate") end
+      if change == "added" or change == "passing" then robot.sim.world:close("gate") end
     elseif sample > options.after then
       if not seen.passage and before and crosses(gate, before, here) then seen.passage = sample end
       if seen.passage and not seen.linked and change == "removed" and #through_gate(robot, gate) > 0 then
         seen.linked = sample
+      end
+      if change == "passing" and sample == (options.after + options.samples) // 2 then
+        robot.sim.world:open("gate")
+        for _, link in ipairs(through_gate(robot, gate)) do
+          if link.suspended then blocked[#blocked + 1] = link end
+        end
       end
       local touches = robot.sim.observation.whisker:max() > 0
       if touches and math.abs(here.x - gate.x) < kNear and here.y > gate.low and here.y < gate.high then
@@ -110,6 +119,13 @@ local function trial(name, change, forgetting, seed)
     links_through_wall_left = change == "added" and left or nil,
     washed_out = change == "added" and (left == 0 and 1 or 0) or nil,
   }
+  if #blocked > 0 then
+    local suspended, back = {}, 0
+    for _, link in ipairs(robot.map.links) do suspended[link.a .. " " .. link.b] = link.suspended end
+    for _, link in ipairs(blocked) do back = back + (suspended[link.a .. " " .. link.b] == false and 1 or 0) end
+    result.came_back = back / #blocked
+  end
+  if change == "passing" then result.suspended_by_wall = #blocked end
   local arrived, wrongly = 0, 0
   for _, moment in ipairs(moments) do
     local start = { sim = moment.sim, map = moment.map, scores = robot.scores }
@@ -124,7 +140,7 @@ local function trial(name, change, forgetting, seed)
 end
 
 for _, name in ipairs(candidates.chosen(options.world, { "alice_loop", "alice_rooms" }, "world")) do
-  for _, change in ipairs(candidates.chosen(options.change, { "removed", "added", "none" }, "change")) do
+  for _, change in ipairs(candidates.chosen(options.change, { "removed", "added", "passing", "none" }, "change")) do
     for _, forgetting in ipairs(candidates.chosen(options.forgetting, { "doubt", "none", "oracle" }, "rule of forgetting")) do
       local trials = alice.trials(options, function(seed) return trial(name, change, forgetting, seed) end)
       local words = { { "world", name }, { "change", change }, { "forgetting", forgetting }, { "n", #trials } }

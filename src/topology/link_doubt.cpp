@@ -11,7 +11,8 @@ namespace {
 constexpr int kWidestArc = 9;  ///< whiskers; more go round a corner
 const double kWidest = radians(60);
 constexpr double kShortestPiece = 0.03;  ///< half of it [m]
-constexpr int kFreePoints = 7;           ///< of a link that are felt for
+constexpr int kFreePoints = 7;           ///< of a link that are felt for, ...
+constexpr int kFelt = 5;                 ///< ... and so many must be within reach
 
 /// Whiskers from `first` on, `count` of them, as pieces of wall.
 void add_arc(int first, int count, int ring, double radius, double reach, const Pose2& pose,
@@ -77,7 +78,7 @@ bool LinkDoubt::feels_free(const Pose2& pose, const Vec2& a, const Vec2& b) cons
     const Vec2 point = a + (i + 0.5) / kFreePoints * (b - a);
     felt += (point - pose.position()).norm() <= radius_ + reach_;
   }
-  return felt >= kFreePoints - 1;
+  return felt >= kFelt;
 }
 
 void LinkDoubt::judge_link(GrowingNet& net, const Pose2& pose, int cell, const Link& link) {
@@ -89,7 +90,7 @@ void LinkDoubt::judge_link(GrowingNet& net, const Pose2& pose, int cell, const L
     judged.doubt = std::max(0.0, link.doubt - options_.relief);
   else
     return;
-  judged.doubt = std::min(judged.doubt, 2 * options_.suspend);
+  judged.doubt = std::min(judged.doubt, options_.suspend);
   if (judged.doubt >= options_.suspend) judged.suspended = true;
   if (judged.doubt == 0) judged.suspended = false;
   net.cells().connect(cell, link.to, judged);

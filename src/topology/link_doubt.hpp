@@ -16,7 +16,7 @@ namespace meander::topology {
 /// the way is free, brings it back.
 struct DoubtOptions {
   double suspend = 2;     ///< a link is suspended at so many contacts against it; 0: never
-  double relief = 0.25;   ///< what a sample that feels the way free takes away
+  double relief = 0.5;    ///< what a sample that feels the way free takes away
   double reach = 0.75;    ///< links of cells this near are judged [m]
   double surprise = 0.4;  ///< a contact that a cell of the link expects more than this is none
   double clear = 0.05;    ///< both cells of a contradicted link are at least this far from the wall's line [m]
