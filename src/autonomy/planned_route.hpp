@@ -25,7 +25,7 @@ struct PlannedRouteOptions {
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, PlannedRouteOptions>
 void fields(Options& o, Visitor&& visit) {
-  visit(Field{"planner", "", "who plans; meander.planning.planners() names them"}, o.planner);
+  visit(Field{"planner", "", "who plans: neural_map, distance_transform, harmonic, astar or theta_star"}, o.planner);
   visit(Field{"robot_radius", "m", "of the robot's body", 0, 100}, o.robot_radius);
   visit(Field{"margin", "m", "kept from what is solid besides; given up where no path has it", 0, 100}, o.margin);
   visit(Field{"reach", "m", "a subgoal is at most this far ahead on the path, and in sight on the map", 0.1, 1000},

@@ -8,7 +8,7 @@ namespace meander::script {
 
 struct PlanTable {
   MapSourceTable source;
-  std::optional<Vec2> start;
+  std::optional<SubgoalOption> start;
   std::optional<SubgoalOption> target;
   std::vector<SubgoalOption> targets;
   std::string planner = "neural_map";
@@ -25,7 +25,7 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"start", "m", "where from; left out: the landscape alone"}, o.start);
   visit(Field{"target", "m", "where to"}, o.target);
   visit(Field{"targets", "m", "where to, several: to the one that is best"}, o.targets);
-  visit(Field{"planner", "", "who plans; meander.planning.planners() names them"}, o.planner);
+  visit(Field{"planner", "", "who plans: neural_map, distance_transform, harmonic, astar or theta_star"}, o.planner);
   visit(Field{"path", "", "how the path is read off the landscape"}, o.path);
   visit(Field{"robot_radius", "m", "what is solid is kept this far from the path", 0, 1000}, o.robot_radius);
   visit(Field{"corners", "", "may diagonal steps pass the corner of a blocked cell"}, o.corners);
@@ -42,12 +42,13 @@ inline Planned or_reason(std::shared_ptr<Plan> plan) {
 }
 
 inline PlanningTask task_of(const PlanTable& table) {
-  PlanningTask task{.start = table.start,
+  PlanningTask task{.start = std::nullopt,
                     .targets = {},
                     .robot_radius = table.robot_radius,
                     .corners = table.corners,
                     .lattice = table.lattice};
   const World* world = table.source.world.get();
+  if (table.start) task.start = table.start->in(world).position;
   if (table.target) task.targets.push_back(table.target->in(world).position);
   for (const SubgoalOption& target : table.targets) task.targets.push_back(target.in(world).position);
   if (task.targets.empty()) fail("option 'target': missing, {{x, y}} expected, or a list of them as 'targets'");

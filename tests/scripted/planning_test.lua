@@ -61,6 +61,25 @@ describe("a plan", function()
     expect(smooth.measures.length < steps.measures.length):is_true()
   end)
 
+  it("solved for its start alone is not read from another", function()
+    local plan = meander.planning.plan { map = room(), start = { 6, 1 }, target = { 7, 1 }, extent = "start" }
+    expect(plan.statistics.complete):is_false()
+    expect(plan:from({ 6, 1 }, "steepest").path ~= nil):is_true()
+    expect(function() plan:from { 1, 1 } end):throws "solved for the start of this plan alone"
+  end)
+
+  it("has no harmonic function where steps pass between corners", function()
+    local options = { cells = { { 0, 1 }, { 1, 0 } }, resolution = 1, start = { 0.5, 0.5 }, target = { 1.5, 1.5 }, corners = "cut" }
+    for _, planner in ipairs(meander.planning.planners()) do
+      options.planner = planner
+      if planner == "harmonic" then
+        expect(function() meander.planning.plan(options) end):throws "corners 'keep' expected, got 'cut'"
+      else
+        expect(meander.planning.plan(options) ~= nil):is_true()
+      end
+    end
+  end)
+
   it("says why there is none", function()
     local map = room()
     local plan, why = meander.planning.plan { map = map, start = { 4, 1 }, target = { 7, 1 } }
@@ -69,6 +88,13 @@ describe("a plan", function()
     map:block { { 3.9, 0 }, { 4.1, 4 } }
     plan, why = meander.planning.plan { map = map, start = { 1, 1 }, target = { 7, 1 } }
     expect(why):equals "no path: the start in cell (10, 10) at (1.05, 1.05) m is cut off from the target in cell (70, 10) at (7.05, 1.05) m"
+  end)
+
+  it("leads from place to place of a world", function()
+    local office = meander.world.open "worlds/office.toml"
+    local plan = meander.planning.plan { world = office, start = "hall", target = "kitchen", robot_radius = 0.25 }
+    expect(plan.clear):is_true()
+    expect((pcall(meander.planning.plan, { world = office, start = "hal", target = "kitchen" }))):equals(false)
   end)
 
   it("answers bad input in words, whoever plans, and changes nothing", function()
