@@ -26,12 +26,12 @@ void SonarExplorer::decide_without_graph(bool blocked) {
   if ((at_ - goal_).norm() <= options_.arrive) return end(Ending::reached, "the goal is reached");
   if (options_.explorer.budget > 0 && walked_ > options_.explorer.budget)
     return end(Ending::budget, fmt::format("the budget of {:g} m is spent", options_.explorer.budget));
+  const bool tried = toward_ == Toward::frontier && (blocked || is_there());
+  toward_ = Toward::nothing;
   if (options_.strategy == ExplorationStrategy::dstar_lite) {
     if (!way_by_dstar_lite().empty()) return drive_to(Toward::frontier, goal_);
     return look_again();
   }
-  const bool tried = toward_ == Toward::frontier && (blocked || is_there());
-  toward_ = Toward::nothing;
   if (tried) give_up_frontier(aim_);
   if (!decide_by_frontier()) look_again();
 }

@@ -200,7 +200,7 @@ void SonarExplorer::look_again() {
   if (look_.count() < options_.second_looks) {
     if (const auto place = look_.next(map_, at_, goal_, options_.arrive)) {
       if (options_.strategy == ExplorationStrategy::indicators) explorer_.resume();
-      return drive_to(Toward::look, *place);
+      return drive_to(*place == goal_ ? Toward::goal : Toward::look, *place);
     }
     return end(Ending::no_passable_direction,
                fmt::format("no passable direction left: no way leads to the goal, with unknown taken as passable, "

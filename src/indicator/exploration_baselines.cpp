@@ -65,7 +65,8 @@ std::optional<Intent> random_walk(const Situation& s) {
   std::uint64_t least = ~std::uint64_t{0};
   const auto draw = [&](const PortRef& target, double direction) {
     const auto sector = static_cast<std::uint64_t>(std::llround((direction + 4) * 1e6));
-    const std::uint64_t word = trial_seed(trial_seed(s.options.seed, s.decision), sector);
+    std::uint64_t word = trial_seed(trial_seed(s.options.seed, s.decision), sector);
+    if (target.port < 0) word = trial_seed(word, target.indicator.slot);  // several may be seen in one direction
     if (word >= least) return;
     least = word;
     drawn = Intent{target, "any way out (random walk)"};

@@ -305,13 +305,13 @@ bool Explorer::proven() const {
 
 bool Explorer::knows(const Vec2& position) const { return winner(graph_, position, options_.same).has_value(); }
 
-void Explorer::restore(IndicatorGraph graph, const ExplorerState& state) {
+void Explorer::restore(IndicatorGraph graph, const ExplorerState& state, Decision last) {
   for (const auto& id : {state.at, state.start, state.at_goal})
     if (id && !graph.alive(*id)) fail("explorer: indicator {} is not in the graph", id->slot + 1);
   if (state.left_by && state.left_by->port >= 0) graph.port(*state.left_by);
   graph_ = std::move(graph);
   state_ = state;
-  decision_ = {};
+  decision_ = std::move(last);
   links_revision_ = ~std::uint64_t{0};
 }
 

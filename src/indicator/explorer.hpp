@@ -95,7 +95,7 @@ class Explorer {
   bool knows(const Vec2& position) const;
 
   /// Continues from what a file tells.
-  void restore(IndicatorGraph graph, const ExplorerState& state);
+  void restore(IndicatorGraph graph, const ExplorerState& state, Decision last = {});
 
   /// Where a map tells the ports of more indicators than the one here: called at each step, once the indicator here is
   /// placed, in the place of what the percept says of ports.

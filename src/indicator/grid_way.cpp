@@ -71,10 +71,11 @@ std::vector<Cell> cells_at(const ConfigurationSpace& space, const Vec2& at, doub
   const Cell here = space.frame().cell(at);
   if (passes(here)) return {here};
   std::vector<Cell> cells;
+  const double corner = 0.71 * space.resolution();
   const int reach = static_cast<int>(within / space.resolution()) + 1;
   for (int y = here.y - reach; y <= here.y + reach; ++y)
     for (int x = here.x - reach; x <= here.x + reach; ++x)
-      if ((space.frame().center({x, y}) - at).norm() <= within && passes({x, y})) cells.push_back({x, y});
+      if ((space.frame().center({x, y}) - at).norm() + corner <= within && passes({x, y})) cells.push_back({x, y});
   return cells;
 }
 

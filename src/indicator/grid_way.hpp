@@ -23,7 +23,7 @@ std::optional<Cell> nearest_free(const ConfigurationSpace& space, const Vec2& at
 std::optional<Cell> nearest_open(const ConfigurationSpace& space, const Vec2& at, double within);
 
 /// The cells in which a robot is at a place: the place's own, or, where that is not free (with `unknown`: is blocked),
-/// all within so many metres that are (are not).
+/// all that are (are not) and in which it is within so many metres wherever in them it stands.
 std::vector<Cell> cells_at(const ConfigurationSpace& space, const Vec2& at, double within, bool unknown);
 
 /// Nothing that is known stands on the straight way between two cells.

@@ -22,9 +22,9 @@ void check_length(double length) {
 
 IndicatorId IndicatorGraph::place(const Vec2& position) {
   check_position(position);
-  const auto free = std::find_if(slots_.begin(), slots_.end(), [](const Slot& slot) { return !slot.indicator; });
-  const auto index = static_cast<std::size_t>(free - slots_.begin());
-  if (free == slots_.end()) slots_.emplace_back();
+  while (no_free_before_ < slots_.size() && slots_[no_free_before_].indicator) ++no_free_before_;
+  const std::size_t index = no_free_before_;
+  if (index == slots_.size()) slots_.emplace_back();
   Slot& slot = slots_[index];
   const IndicatorId id{static_cast<std::uint32_t>(index), ++slot.generation};
   slot.indicator = Indicator{.id = id, .position = position, .ports = {}, .links = {}};
@@ -36,6 +36,7 @@ IndicatorId IndicatorGraph::place(const Vec2& position) {
 void IndicatorGraph::remove(IndicatorId id) {
   while (!at(id).links.empty()) unlink(at(id).links.back());
   slots_[id.slot].indicator.reset();
+  no_free_before_ = std::min(no_free_before_, std::size_t{id.slot});
   --living_;
   ++revision_;
 }

@@ -125,6 +125,7 @@ class IndicatorGraph {
   std::vector<Slot> slots_;
   std::vector<Link> links_;
   std::size_t living_ = 0;
+  std::size_t no_free_before_ = 0;  ///< slots
   std::uint64_t revision_ = 0;
 };
 

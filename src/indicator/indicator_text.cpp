@@ -3,6 +3,7 @@
 #include "indicator/indicator_text.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/names.hpp"
 #include "base/text_file.hpp"
 #include "indicator/graph_text.hpp"
 #include "indicator/option_text.hpp"
@@ -40,8 +41,28 @@ std::optional<IndicatorId> place_in(const IndicatorGraph& graph, const PlaceLine
 }
 
 struct Places {
-  PlaceLine at, left_by, start, at_goal;
+  PlaceLine at, left_by, start, at_goal, to;
 };
+
+/// What the next step asks of the last decision: whether the run has ended, why, and where the robot is on its way to.
+std::string decision_line(const Explorer& explorer) {
+  const Decision& last = explorer.decision();
+  const bool alive = last.to && explorer.graph().alive(*last.to);
+  return fmt::format("decision {} {} {}\n", alive ? last.to->slot + 1 : 0, to_string(last.ending), last.reason);
+}
+
+Decision read_decision(TextLines& lines, Places& places) {
+  if (!lines.next() || !lines.is("decision") || lines.words().size() < 3)
+    lines.wrong("'decision SERIAL ENDING REASON' expected");
+  places.to = {lines.integer(1, 0, 1 << 30), 0};
+  const auto ending = enum_from<Ending>(lines.words()[2]);
+  if (!ending) lines.wrong("unknown ending '{}'{}", lines.shown(2), did_you_mean(lines.shown(2), enum_names<Ending>()));
+  Decision last;
+  last.ending = *ending;
+  for (std::size_t word = 3; word < lines.words().size(); ++word)
+    last.reason += (word > 3 ? " " : "") + std::string(lines.words()[word]);
+  return last;
+}
 
 Places read_state(TextLines& lines, ExplorerState& state) {
   if (!lines.next() || !lines.is("state")) lines.wrong("'state' expected");
@@ -56,7 +77,7 @@ Places read_state(TextLines& lines, ExplorerState& state) {
   state.fresh = lines.integer(7, 0, 1) == 1;
   const PlaceLine at = read_place(lines, "at", true), left_by = read_place(lines, "left_by", true);
   const PlaceLine start = read_place(lines, "start", false);
-  return {at, left_by, start, read_place(lines, "at_goal", false)};
+  return {at, left_by, start, read_place(lines, "at_goal", false), {}};
 }
 
 void put(ExplorerState& state, const Places& places, const IndicatorGraph& graph, const TextLines& lines) {
@@ -92,16 +113,18 @@ std::string state_lines(const Explorer& explorer) {
   text += place_text("at", s.at, s.came_by.value_or(-1));
   text += place_text("left_by", s.left_by ? std::optional(s.left_by->indicator) : std::nullopt,
                      s.left_by ? s.left_by->port : -1);
-  text += place_text("start", s.start) + place_text("at_goal", s.at_goal);
+  text += place_text("start", s.start) + place_text("at_goal", s.at_goal) + decision_line(explorer);
   return text + graph_lines(explorer.graph());
 }
 
 void read_state_lines(TextLines& lines, Explorer& explorer) {
   ExplorerState state;
-  const Places places = read_state(lines, state);
+  Places places = read_state(lines, state);
+  Decision last = read_decision(lines, places);
   IndicatorGraph graph = read_graph_lines(lines);
   put(state, places, graph, lines);
-  explorer.restore(std::move(graph), state);
+  last.to = place_in(graph, places.to, lines);
+  explorer.restore(std::move(graph), state, std::move(last));
 }
 
 std::string goal_line(const Vec2& goal) { return fmt::format("goal {} {}\n", goal.x(), goal.y()); }

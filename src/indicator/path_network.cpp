@@ -33,7 +33,8 @@ void PathNetwork::reset(int columns) {
   truncated_ = false;
 }
 
-void PathNetwork::excite(const RouteLinks& links, int start, std::optional<int> goal, NetworkRows rows) {
+void PathNetwork::excite(const RouteLinks& links, int start, std::optional<int> goal, NetworkRows rows,
+                         const Work& work) {
   check_column("start", start, links.size());
   if (goal) check_column("goal", *goal, links.size());
   reset(links.size());
@@ -51,6 +52,9 @@ void PathNetwork::excite(const RouteLinks& links, int start, std::optional<int> 
       return;
     }
     if (goal) offer(*goal);
+    work.poll();
+    if (fired_.size() > kMostFired)
+      fail<Error>("network: it is not at rest after {} neurons fired in {} rows", fired_.size(), this->rows());
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/fields.hpp"
+#include "base/work.hpp"
 #include "indicator/route_links.hpp"
 
 namespace meander {
@@ -50,8 +51,10 @@ class PathNetwork {
   static int paper_rows(int indicators);
 
   /// Spreads excitation from `start` row by row. With a goal, neurons that are farther than the goal is already keep
-  /// still: they cannot lie on a shorter route. Throws ArgumentError for columns that are not there.
-  void excite(const RouteLinks& links, int start, std::optional<int> goal, NetworkRows rows);
+  /// still: they cannot lie on a shorter route. Throws ArgumentError for columns that are not there, Error where more
+  /// than kMostFired neurons fire: with links much longer than their neighbours they can be the square of the columns.
+  void excite(const RouteLinks& links, int start, std::optional<int> goal, NetworkRows rows, const Work& work = {});
+  static constexpr std::size_t kMostFired = 5'000'000;
 
   /// The selecting layer: the least candidate, of equal ones that with fewer rows; none: no route within the rows.
   std::optional<Candidate> selected() const;

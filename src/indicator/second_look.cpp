@@ -19,7 +19,8 @@ std::optional<Vec2> SecondLook::next(SonarOccupancy& map, const Vec2& at, const 
   close(map.space(), count());
   std::vector<Cell> way = way_over(map.space(), at, goal, arrive);
   if (way.empty()) way = way_over(map.without_weak(), at, goal, arrive);
-  return way.empty() ? std::nullopt : std::optional(look(map, way));
+  if (way.empty()) return std::nullopt;
+  return look(map, way).value_or(goal);
 }
 
 /// Empty: none leads there.
@@ -30,11 +31,11 @@ std::vector<Cell> SecondLook::way_over(const ConfigurationSpace& space, const Ve
   return from ? way_down(field_, *from) : std::vector<Cell>{};
 }
 
-/// Where the way leaves what is known, or at its end, where all of it is known.
-Vec2 SecondLook::look(SonarOccupancy& map, const std::vector<Cell>& way) {
+/// Where the way leaves what is known; none: nowhere.
+std::optional<Vec2> SecondLook::look(SonarOccupancy& map, const std::vector<Cell>& way) {
   const GridFrame& frame = map.space().frame();
   const auto cell = std::find_if(way.begin(), way.end(), [&](Cell c) { return !map.space().free(c); });
-  if (cell == way.end()) return frame.center(way.back());
+  if (cell == way.end()) return std::nullopt;
   looked_.push_back(frame.center(*cell));
   const int reach = static_cast<int>(map.reach() / frame.resolution) + 1;
   for (int y = cell->y - reach; y <= cell->y + reach; ++y)

@@ -14,7 +14,8 @@ class SecondLook {
  public:
   /// Shortly beyond the last free place on the way from where the robot stands to within `arrive` of the goal; weak
   /// walls there are forgotten. No way leads through what is still in doubt at a place that was looked at before, so
-  /// that this comes to an end. None: no way is left, whatever is still unknown.
+  /// that this comes to an end. The goal itself: all of the way is free. None: no way is left, whatever is still
+  /// unknown.
   std::optional<Vec2> next(SonarOccupancy& map, const Vec2& at, const Vec2& goal, double arrive);
   int count() const { return static_cast<int>(looked_.size()); }
   /// Marks what is closed to the way to the place of the last look: what is still in doubt at the places before.
@@ -23,7 +24,7 @@ class SecondLook {
  private:
   const Grid<std::uint8_t>& close(const ConfigurationSpace& map, int looks);
   std::vector<Cell> way_over(const ConfigurationSpace& space, const Vec2& at, const Vec2& goal, double arrive);
-  Vec2 look(SonarOccupancy& map, const std::vector<Cell>& way);
+  std::optional<Vec2> look(SonarOccupancy& map, const std::vector<Cell>& way);
 
   GeodesicField field_;
   Grid<std::uint8_t> closed_;

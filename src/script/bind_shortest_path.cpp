@@ -153,7 +153,7 @@ RouteTable shortest_path(const ShortestPathTable& table, const Call& call) {
     tell(result, hopfield_path(links, start, goal, table.hopfield, call.work()));
   } else {
     PathNetwork network;
-    network.excite(links, start, goal, table.rows);
+    network.excite(links, start, goal, table.rows, call.work());
     tell(result, network);
   }
   return result;

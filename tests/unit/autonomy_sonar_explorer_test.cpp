@@ -168,11 +168,78 @@ TEST(SonarExplorer, AGoalWhoseCellIsReachedAndWhichItselfIsNotIsDrivenTo) {
     ASSERT_TRUE(step.subgoal) << to_string(strategy) << ": " << step.reason;
     EXPECT_LT((step.subgoal->position - goal).norm(), 0.1);
     const GuideStep trapped = explorer.next(in_room(robot, {0.05, 0}, ++cycle * robot.period),
-                                            {.command = {}, .status = NavigatorStatus::trapped});
+                                            {.command = {}, .status = NavigatorStatus::trapped, .reason = {}});
     EXPECT_FALSE(trapped.subgoal);
     EXPECT_EQ(explorer.ending(), Ending::reached) << explorer.reason();
   }
 }
+
+TEST(SonarExplorer, AGoalBesideAWallIsReachedAsNearAsARobotCanStandToIt) {
+  const Platform& robot = platform("nomad200");
+  const Vec2 goal(1.8, 0);  // the robot's centre can be at 1.73
+  for (const auto strategy : {ExplorationStrategy::indicators, ExplorationStrategy::dstar_lite,
+                              ExplorationStrategy::frontier, ExplorationStrategy::goal_frontier}) {
+    SonarExplorerOptions options;
+    options.strategy = strategy;
+    SonarExplorer explorer(goal, robot, options);
+    Vec2 at(-1, 0.5);
+    for (int i = 0; i < 4000 && explorer.ending() == Ending::driving; ++i) {
+      const GuideStep step = explorer.next(in_room(robot, at, i * robot.period), {});
+      if (!step.subgoal) break;
+      const Vec2 way = step.subgoal->position - at;
+      Vec2 to = at;
+      if (way.norm() > 0.05) to += way * (0.05 / way.norm());
+      const double room = 2 - robot.body.radius;
+      at = to.cwiseMax(Vec2(-room, -room)).cwiseMin(Vec2(room, room));
+    }
+    EXPECT_EQ(explorer.ending(), Ending::reached) << to_string(strategy) << ": " << explorer.reason();
+    EXPECT_LE((at - goal).norm(), options.explorer.tolerance);
+  }
+}
+
+TEST(SonarExplorer, AGoalTooFarAwayIsNamed) {
+  const Platform& robot = platform("nomad200");
+  for (const double far : {1e6, 1e12}) {
+    SonarExplorer explorer({far, 0}, robot);
+    try {
+      explorer.next(in_room(robot, {0, 0}, 0), {});
+      FAIL() << far;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(fmt::format("goal: ({:g}, 0)", far)), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(SonarExplorer, ARobotWithoutSonarsIsRefused) {
+  Platform deaf = platform("nomad200");
+  deaf.sonar.count = 0;
+  EXPECT_THROW(SonarExplorer({4, 0}, deaf), ArgumentError);
+}
+
+TEST(SecondLook, ComesToAnEndAndLeavesTheMapAsItIs) {
+  const Platform& robot = platform("nomad200");
+  SonarOccupancy map(robot);
+  for (int i = 0; i < 3; ++i) map.update(in_room(robot, {0, 0}, i));
+  map.include({6, 0});
+  const auto walls = [&] {
+    int count = 0;
+    for (int y = 0; y < map.space().height(); ++y)
+      for (int x = 0; x < map.space().width(); ++x) count += map.space().known({x, y}) == Known::wall;
+    return count;
+  };
+  const int before = walls();
+  SecondLook look;
+  std::vector<Vec2> places;
+  while (const auto place = look.next(map, {0, 0}, {6, 0}, 0.2)) {
+    places.push_back(*place);
+    ASSERT_EQ(places.size(), static_cast<std::size_t>(look.count()));
+    ASSERT_LT(places.size(), 1000u);  // nothing new is ever heard
+  }
+  EXPECT_GT(places.size(), 3u);
+  EXPECT_LE(walls(), before);
+}
+
+static_assert(!std::is_copy_constructible_v<SonarExplorer> && !std::is_move_constructible_v<SonarExplorer>);
 
 }  // namespace
 }  // namespace meander

@@ -211,5 +211,31 @@ TEST(Explorer, TheOrderInWhichPortsAreStoredDoesNotMatter) {
     }
 }
 
+TEST(Explorer, ARandomWalkDoesNotDependOnTheOrderInWhichItsLinksAreStored) {
+  int nearer = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    std::vector<Vec2> chosen;
+    for (const bool turned : {false, true}) {
+      IndicatorGraph graph;
+      const IndicatorId here = graph.place({0, 0}), near = graph.place({1, 0}), far = graph.place({2, 0});
+      graph.link({here}, {turned ? far : near}, turned ? 2 : 1);
+      graph.link({here}, {turned ? near : far}, turned ? 1 : 2);
+      ExplorerOptions options;
+      options.explorer = ExplorerKind::random_walk;
+      options.seed = seed;
+      Explorer explorer({9, 9}, options);
+      explorer.perceive = [](IndicatorGraph&, IndicatorId) {};
+      explorer.restore(std::move(graph), {.run = 1, .at = here, .start = here});
+      const Decision& decision = explorer.step({.position = {0, 0}});
+      ASSERT_TRUE(decision.to);
+      chosen.push_back(explorer.graph().get(*decision.to).position);
+    }
+    EXPECT_EQ(chosen[0], chosen[1]) << seed;
+    nearer += chosen[0].x() < 1.5;
+  }
+  EXPECT_GT(nearer, 8);
+  EXPECT_LT(nearer, 32);
+}
+
 }  // namespace
 }  // namespace meander

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "base/random.hpp"
 #include "geometry/angle.hpp"
@@ -225,6 +226,38 @@ TEST(IndicatorGraph, ExportsAreWellFormed) {
   EXPECT_EQ(count(dot, " -- "), graph.links().size());
   EXPECT_EQ(count(json, "\"serial\""), graph.size());
   EXPECT_EQ(count(json, "{"), count(json, "}"));
+}
+
+TEST(IndicatorGraph, TheLowestFreeSlotIsTakenHoweverMany) {
+  Stream random(3, "slots");
+  IndicatorGraph graph;
+  std::vector<IndicatorId> placed;
+  for (int i = 0; i < 200'000; ++i) placed.push_back(graph.place({static_cast<double>(i), 0}));
+  std::set<std::uint32_t> free;
+  for (int i = 0; i < 2000; ++i) {
+    const IndicatorId gone = placed[static_cast<std::size_t>(random.below(200'000))];
+    if (graph.alive(gone) && random.chance(0.7)) {
+      graph.remove(gone);
+      free.insert(gone.slot);
+    } else if (!free.empty()) {
+      EXPECT_EQ(graph.place({0, 0}).slot, *free.begin());
+      free.erase(free.begin());
+    }
+  }
+}
+
+TEST(IndicatorText, ARunThatIsOverIsOverWhenItIsReadAgain) {
+  Explorer explorer({5, 0});
+  const Percept there{.position = {5, 0}, .ports = {{0, 3}}};
+  explorer.step(there);
+  ASSERT_EQ(explorer.decision().ending, Ending::reached);
+  Explorer read = explorer_from_text(to_text(explorer));
+  EXPECT_EQ(read.decision().ending, Ending::reached);
+  EXPECT_EQ(read.decision().reason, explorer.decision().reason);
+  EXPECT_EQ(to_text(read), to_text(explorer));
+  EXPECT_THROW(read.step(there), Error);
+  read.begin();
+  EXPECT_EQ(read.step(there).ending, Ending::reached);
 }
 
 }  // namespace

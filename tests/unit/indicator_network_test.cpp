@@ -204,5 +204,23 @@ TEST(IndicatorStorage, TheNearestIndicatorIsTheCurrentOne) {
   EXPECT_EQ(next_on_route({{4, 1, 7}, 3}, 7), std::nullopt);
 }
 
+/// Each indicator of the rim is a little nearer by way of the one before it: all fire again in every row.
+std::vector<Edge> wheel(int n) {
+  std::vector<Edge> edges;
+  for (int i = 1; i < n; ++i) edges.push_back({0, i, 2.0 * (i + 1)});
+  for (int i = 1; i + 1 < n; ++i) edges.push_back({i, i + 1, 1});
+  return edges;
+}
+
+TEST(PathNetwork, WhatFiresBySquaresIsToldAndCanBeStopped) {
+  PathNetwork network;
+  EXPECT_THROW(network.excite(RouteLinks(4000, wheel(4000)), 0, std::nullopt, NetworkRows::adaptive), Error);
+  network.excite(RouteLinks(400, wheel(400)), 0, std::nullopt, NetworkRows::adaptive);
+  StopToken stop;
+  stop.request();
+  EXPECT_THROW(network.excite(RouteLinks(400, wheel(400)), 0, std::nullopt, NetworkRows::adaptive, Work{&stop, {}}),
+               Cancelled);
+}
+
 }  // namespace
 }  // namespace meander

@@ -88,5 +88,40 @@ TEST(GeodesicField, RoomCostsNoLessThanLengthAndReachesTheSame) {
   }
 }
 
+TEST(GeodesicField, TakesNoMoreRoomThanTheMapAndIsEmptyWhenItIsCleared) {
+  ConfigurationSpace map(200'000, 3, {0.05, {}}, 0.01);
+  for (int x = 0; x < map.width(); ++x) map.set({x, 1}, Known::free);
+  GeodesicField field;
+  field.spread(map, Cell{0, 1}, 1e9);
+  EXPECT_EQ(field.reached().size(), 200'000u);
+  EXPECT_NEAR(field.at({199'999, 1}), 199'999 * 0.05, 1e-6);
+  const std::vector<Cell> ends = {{0, 1}, {199'999, 1}};
+  field.spread(map, ends, 1e9);
+  EXPECT_NEAR(field.at({100'000, 1}), 99'999 * 0.05, 1e-6);
+  field.clear();
+  EXPECT_TRUE(field.reached().empty());
+  EXPECT_FALSE(std::isfinite(field.at({0, 1})));
+}
+
+TEST(GridWay, ARobotInACellOfAPlaceIsAtThePlace) {
+  Stream random(5, "place");
+  ConfigurationSpace map(60, 60, {0.05, {}}, 0.1);
+  for (int i = 0; i < 3600; ++i)
+    map.set({random.below(60), random.below(60)}, random.chance(0.1) ? Known::wall : Known::free);
+  for (int i = 0; i < 200; ++i) {
+    const Vec2 place(random.uniform(0.5, 2.5), random.uniform(0.5, 2.5));
+    const Cell own = map.frame().cell(place);
+    const std::vector<Cell> cells = cells_at(map, place, 0.3, false);
+    if (map.free(own)) {
+      EXPECT_EQ(cells, std::vector<Cell>{own});
+    }
+    for (const Cell cell : cells) {
+      EXPECT_TRUE(map.free(cell));
+      const Vec2 corner(random.uniform(-0.025, 0.025), random.uniform(-0.025, 0.025));
+      EXPECT_LE((map.frame().center(cell) + corner - place).norm(), 0.3);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace meander

@@ -172,5 +172,11 @@ TEST(ProfileWay, WhereItHearsTheSameWithoutEndItDoesNotGoRoundForEver) {
   EXPECT_LT((robot.at() - Vec2(1.5, 0.5)).norm(), 0.6);
 }
 
+TEST(SonarProfile, DirectionsWiderThanTheWidestIntervalAreRefused) {
+  for (const int directions : {8, 36})
+    EXPECT_THROW(SonarProfile(small_robot(), {.directions = directions, .most = 0.1}), ArgumentError) << directions;
+  EXPECT_NO_THROW(SonarProfile(small_robot(), {.directions = 8, .most = 0.79}));
+}
+
 }  // namespace
 }  // namespace meander
