@@ -102,8 +102,8 @@ void judge(const HarmonicSystem& system, const Eigen::VectorXd& p, PlanningStati
 }  // namespace
 
 PlanningResult harmonic(const PlanningProblem& problem, const HarmonicOptions& options, const Work& work) {
-  if (!problem.even() || problem.lattice != Lattice::rectangular)
-    fail("harmonic: it knows no costs, and a rectangular lattice: no difficulty and no drag expected");
+  if (!problem.even() || problem.lattice != Lattice::rectangular || problem.corners != Corners::keep)
+    fail("harmonic: a rectangular lattice, corners that are kept, no difficulty and no drag expected");
   const HarmonicSystem system(problem, work);
   PlanningResult result{
       .value = Grid<double>(problem.blocked.width(), problem.blocked.height(), kNoValue, problem.blocked.frame)};

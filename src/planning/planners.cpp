@@ -46,6 +46,9 @@ void check_supported(const PlanningProblem& problem, const std::string& name, Pl
   if (problem.lattice != Lattice::rectangular)
     fail("planner '{}': lattice 'rectangular' expected, got '{}'", name, to_string(problem.lattice));
   if (!problem.even()) fail("planner '{}': no difficulty and no drag expected: it takes length for cost", name);
+  if (planner == by_harmonic && problem.corners != Corners::keep)
+    fail("planner '{}': corners 'keep' expected, got '{}': its walks take no diagonal steps", name,
+         to_string(problem.corners));
 }
 
 }  // namespace

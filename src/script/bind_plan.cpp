@@ -56,11 +56,16 @@ Planned plan(const PlanTable& table, const Call& call) {
 }
 
 Planned from(const Plan& plan, const Vec2& start, const std::optional<PathKind>& kind, const Call& call) {
-  auto other = std::make_shared<Plan>(plan);
   if (!plan.result.way.empty()) fail("planner '{}' has no landscape: plan anew from another start", plan.planner);
-  other->problem.start = cell_at(plan.problem.lattice, plan.problem.blocked.frame.in_cells(start));
+  const Cell cell = cell_at(plan.problem.lattice, plan.problem.blocked.frame.in_cells(start));
+  if (!plan.result.statistics.complete && cell != plan.problem.start)
+    fail("the landscape was solved for the start of this plan alone: plan anew from another, or with extent = 'map'");
+  auto other = std::make_shared<Plan>(plan);
+  other->problem.start = cell;
   other->kind = kind.value_or(plan.kind);
-  other->result.reason = no_path_reason(other->problem, call.work());
+  // The landscape knows who is cut off; only what has no value there asks for the reason.
+  other->result.reason =
+      plan.result.value.at(cell, kNoValue) == kNoValue ? no_path_reason(other->problem, call.work()) : std::string();
   find_path(*other, call.work());
   return or_reason(std::move(other));
 }
@@ -128,7 +133,7 @@ void bind_plan(lua_State* L) {
               .args = {{"start", "where from", "m"}, {"kind", "how it is read off; as before when left out"}},
               .returns = "the plan; or nil and why there is no path",
               .returns_type = "plan or nil, string or nil",
-              .errors = "a plan of a search, which has no landscape",
+              .errors = "a plan of a search, which has no landscape; another start than that of an extent = 'start'",
               .example = EXAMPLE_PLAN "print(p:from({1, 3}, 'steepest'))"})
       .method<&value>(Doc{.name = "value",
                           .text =
