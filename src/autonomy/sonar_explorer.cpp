@@ -19,6 +19,8 @@ constexpr double kBehind = 10;        ///< ways are looked for so far beyond the
 constexpr double kDear = 4;           ///< and they may be so much dearer than they are long
 constexpr double kTriedInVain = 5;    ///< evidence for a wall where the robot did not get through
 
+constexpr double kTriedAgain = 30;  ///< the same when it is tried there again
+
 }  // namespace
 
 SonarExplorer::SonarExplorer(const Vec2& goal, const Platform& platform, const SonarExplorerOptions& options)
@@ -46,6 +48,7 @@ void SonarExplorer::begin() {
   look_ = {};
   set_down_ = false;
   toward_ = Toward::nothing;
+  blocked_at_ = Vec2(1e9, 1e9);
   walked_ = told_ = checked_ = 0;
   reached_ = blocked_ = 0;
   ending_ = Ending::driving;
@@ -242,8 +245,11 @@ void SonarExplorer::block_ahead() {
   if (!(way.norm() > 1e-6)) return;
   const Vec2 along = way / way.norm(), across(-along.y(), along.x());
   const double step = map_.space().resolution();
+  const bool again =
+      (std::exchange(blocked_at_, at_) - at_).norm() < kSnap;  // what it heard there is not to be believed
   for (int i = -2; i <= 2; ++i)
-    map_.add(map_.space().frame().cell(at_ + (map_.reach() + step) * along + i * step * across), kTriedInVain);
+    map_.add(map_.space().frame().cell(at_ + (map_.reach() + step) * along + i * step * across),
+             again ? kTriedAgain : kTriedInVain);
 }
 
 /// Over cells that are known to be free; on a second look and where D* Lite plans, over unknown ones too. Empty: no way
@@ -287,8 +293,10 @@ std::optional<Subgoal> SonarExplorer::subgoal() {
     if (away > options_.ahead) break;
     if (away <= kLeastAhead || straight_way(space, way.front(), way[i])) best = way[i];
   }
-  ahead_ = best == way.back() ? aim_ : space.frame().center(best);
-  return Subgoal{.position = ahead_, .tolerance = options_.arrive / 2};
+  const bool beside = toward_ == Toward::goal && !space.free(space.frame().cell(goal_));  // it cannot stand at its goal
+  const bool last = best == way.back();
+  ahead_ = last && !beside ? aim_ : space.frame().center(best);
+  return Subgoal{.position = ahead_, .tolerance = last && beside ? space.resolution() / 2 : options_.arrive / 2};
 }
 
 void SonarExplorer::end(Ending ending, std::string reason) {
