@@ -77,7 +77,7 @@ TEST_F(TopologyScript, TellsPlacesLinksAndWays) {
                 "p:true_place(m, m.winner) ~= nil"),
             "900 true true true");
   EXPECT_EQ(run("local e = p:map_error(m) return e > 0.05, e < 3, p:map_error(meander.topology.map {})"),
-            "true true 0");
+            "true true 0.0");
   EXPECT_EQ(run("return m:way(1, 100000)"), "error: test:1: topologic_map:way: place 100000 is not in the map");
 }
 
