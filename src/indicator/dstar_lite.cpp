@@ -7,17 +7,12 @@
 #include <limits>
 #include <utility>
 
+#include "indicator/cell_moves.hpp"
+
 namespace meander {
 namespace {
 
-constexpr int kStraight = 5, kDiagonal = 7;
 constexpr int kFar = 1 << 29;  ///< no way leads there; twice as much is still a number
-
-struct Move {
-  int dx, dy, cost;
-};
-constexpr Move kMoves[] = {{1, 0, kStraight}, {0, 1, kStraight},  {-1, 0, kStraight},  {0, -1, kStraight},
-                           {1, 1, kDiagonal}, {-1, 1, kDiagonal}, {-1, -1, kDiagonal}, {1, -1, kDiagonal}};
 
 }  // namespace
 
@@ -33,11 +28,11 @@ DStarLite::DStarLite(int width, int height, Cell goal, bool diagonal)
 template <class Visit>
 void DStarLite::for_steps(Cell from, Visit visit) const {
   if (blocked(from)) return;
-  for (const Move& move : kMoves) {
+  for (const CellMove& move : kCellMoves) {
     const Cell to{from.x + move.dx, from.y + move.dy};
     if (blocked(to)) continue;
-    if (move.cost == kDiagonal && (!diagonal_ || blocked({from.x, to.y}) || blocked({to.x, from.y}))) continue;
-    visit(to, move.cost);
+    if (move.length == kDiagonal && (!diagonal_ || blocked({from.x, to.y}) || blocked({to.x, from.y}))) continue;
+    visit(to, move.length);
   }
 }
 
@@ -66,7 +61,7 @@ void DStarLite::update(Cell cell) {
 }
 
 void DStarLite::update_beside(Cell cell) {
-  for (const Move& move : kMoves) {
+  for (const CellMove& move : kCellMoves) {
     const Cell near{cell.x + move.dx, cell.y + move.dy};
     if (nodes_.contains(near)) update(near);
   }

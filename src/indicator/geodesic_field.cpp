@@ -4,19 +4,14 @@
 
 #include <algorithm>
 
+#include "indicator/cell_moves.hpp"
+
 namespace meander {
 namespace {
 
-constexpr int kStraight = 5, kDiagonal = 7;
 constexpr int kParts = 4;      ///< a step in the open costs so many of its parts where room counts
 constexpr int kMost = 28;      ///< a step in a crowd at most
 constexpr int kCrowding = 40;  ///< and more by so many where all around is closed
-
-struct Move {
-  int dx, dy, steps;
-};
-constexpr Move kMoves[] = {{1, 0, kStraight}, {0, 1, kStraight},  {-1, 0, kStraight},  {0, -1, kStraight},
-                           {1, 1, kDiagonal}, {-1, 1, kDiagonal}, {-1, -1, kDiagonal}, {1, -1, kDiagonal}};
 
 }  // namespace
 
@@ -65,12 +60,12 @@ void GeodesicField::spread(const ConfigurationSpace& space, std::span<const Cell
       --waiting;
       if (steps(cell) != now || now > most) continue;  // a shorter way came later
       reached_.push_back(cell);
-      for (const Move& move : kMoves) {
+      for (const CellMove& move : kCellMoves) {
         const Cell next{cell.x + move.dx, cell.y + move.dy};
         if (!passable(next)) continue;
-        const int way = now + move.steps * parts(next);
+        const int way = now + move.length * parts(next);
         if (way > most) continue;
-        if (move.steps == kDiagonal && !(passable({cell.x, next.y}) && passable({next.x, cell.y}))) continue;
+        if (move.length == kDiagonal && !(passable({cell.x, next.y}) && passable({next.x, cell.y}))) continue;
         if (steps_at(next) >= 0 && steps_at(next) <= way) continue;
         steps(next) = way;
         buckets_[static_cast<std::size_t>(way % round)].push_back(next);
