@@ -263,7 +263,7 @@ class PlannedRoute {
 Guide planned_route(std::shared_ptr<const PlanningMap> map, std::vector<Vec2> targets,
                     const PlannedRouteOptions& options, const std::optional<Platform>& robot) {
   validate(options);
-  check_planner(options.planner);
+  check_planner(options.planner, map->difficulty.cells().empty() && map->drag.cells().empty());
   if (robot) validate(*robot);
   if (targets.empty()) fail("targets: at least one expected, got none");
   auto route = std::make_shared<PlannedRoute>(std::move(map), std::move(targets), options, robot);

@@ -112,6 +112,7 @@ PlanningResult harmonic(const PlanningProblem& problem, const HarmonicOptions& o
                                 ? exactly(system)
                                 : by_sweeps(system, options.tolerance, result.statistics.relaxations, work);
   judge(system, p, result.statistics);
+  result.statistics.solver = to_string(options.solver);
   for (std::size_t i = 0; i < system.cells.size(); ++i)
     if (const double chance = p[static_cast<Eigen::Index>(i)]; chance >= std::numeric_limits<double>::min())
       result.value[system.cells[i]] = logarithm(chance);

@@ -16,6 +16,7 @@ struct PlanningStatistics {
   std::int64_t dead_units = 0;   ///< reachable cells without a value that a path could follow
   double residual = 0;           ///< largest relative error of a cell's equation at the end
   bool complete = true;          ///< false: ended early, as soon as the start had what it needs
+  const char* solver = "";       ///< the one that ran, of planners that have several
 };
 
 /// What every planner gives back.

@@ -108,7 +108,7 @@ class Guided {
 }  // namespace
 
 NeuralSolution solve_for_start(const NeuralNet& net, Cell start, const Work& work) {
-  NeuralSolution solution{.v = resting(net)};
+  NeuralSolution solution{.v = resting(net), .solver = "for_start"};
   Guided(net, start, solution).run(work);
   solution.residual = scan_residuals(net, solution.v, work, [](std::int32_t, double) {});
   return solution;

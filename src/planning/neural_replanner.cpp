@@ -13,6 +13,10 @@ NeuralReplanner::NeuralReplanner(PlanningProblem problem, const NeuralMapOptions
     : problem_(std::move(problem)), options_(options) {
   meander::validate(options_);
   meander::validate(problem_);
+  if (options_.solver != NeuralSolver::tiles && options_.solver != NeuralSolver::active_list)
+    fail("solver: 'tiles' or 'active_list' expected to follow edits, got '{}'", to_string(options_.solver));
+  if (options_.extent != NeuralExtent::map)
+    fail("extent: 'map' expected to follow edits, got '{}'", to_string(options_.extent));
   solve(work);
 }
 

@@ -16,9 +16,10 @@ struct CellEdit {
 
 /// A neural map that follows edits of its map: after each the landscape is that of a solve from scratch, to the
 /// tolerance, and only what changes is computed. On tiles where neural_map() would take tiles, else on the active list.
+/// Difficulty and drag are solved anew with every edit: it may change the largest sum of weights, and so beta.
 class NeuralReplanner {
  public:
-  /// Solves the whole map. Throws ArgumentError like neural_map().
+  /// Solves the whole map. Throws ArgumentError like neural_map(), and for the other solvers and extents.
   explicit NeuralReplanner(PlanningProblem problem, const NeuralMapOptions& options = {}, const Work& work = {});
 
   /// Cells outside of the map are an ArgumentError; a blocked target is none until it is freed. When the work is

@@ -34,6 +34,7 @@ PlanningResult landscape_of(const NeuralNet& net, const NeuralSolution& solution
   result.statistics.relaxations = solution.relaxations;
   result.statistics.residual = solution.residual;
   result.statistics.complete = solution.complete;
+  result.statistics.solver = solution.solver;
   return result;
 }
 

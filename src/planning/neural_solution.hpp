@@ -11,6 +11,7 @@ struct NeuralSolution {
   std::int64_t relaxations = 0;
   double residual = 0;   ///< largest relative error of a unit's equation
   bool complete = true;  ///< false: ended as soon as the start had what it needs
+  const char* solver = "active_list";
 };
 
 // [LM99] Efficient implementation: all units at once; and four crossing rasters in place. Both end early, as soon as

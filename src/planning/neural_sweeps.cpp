@@ -56,7 +56,7 @@ NeuralSolution ended(const NeuralNet& net, NeuralSolution solution, const Neural
 
 NeuralSolution solve_synchronous(const NeuralNet& net, const NeuralMapOptions& options, std::optional<Cell> start,
                                  const Work& work) {
-  NeuralSolution solution{.v = resting(net)};
+  NeuralSolution solution{.v = resting(net), .solver = "synchronous"};
   Activation next = solution.v;
   Ending ending(net, options, start);
   for (double change = 1; !ending.reached(solution.v, change);) {
@@ -76,7 +76,7 @@ NeuralSolution solve_raster(const NeuralNet& net, const NeuralMapOptions& option
                             const Work& work) {
   // [LM99] Figure 3: the pattern of four crossing rasters
   constexpr bool kPattern[4][2] = {{true, true}, {false, false}, {false, true}, {true, false}};
-  NeuralSolution solution{.v = resting(net)};
+  NeuralSolution solution{.v = resting(net), .solver = "raster"};
   Ending ending(net, options, start);
   for (double change = 1; !ending.reached(solution.v, change);) {
     change = 0;

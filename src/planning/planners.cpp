@@ -40,12 +40,18 @@ Planner planner_by_name(const std::string& name) {
   fail("unknown planner '{}'{} (known: {})", name, did_you_mean(name, planner_names()), listing(planner_names()));
 }
 
+bool length_alone(Planner planner) { return planner == by_harmonic || planner == plain<theta_star>; }
+
+[[noreturn]] void fail_uneven(const std::string& name) {
+  fail("planner '{}': no difficulty and no drag expected: it takes length for cost", name);
+}
+
 /// What only some can do.
 void check_supported(const PlanningProblem& problem, const std::string& name, Planner planner) {
-  if (planner != by_harmonic && planner != plain<theta_star>) return;
+  if (!length_alone(planner)) return;
   if (problem.lattice != Lattice::rectangular)
     fail("planner '{}': lattice 'rectangular' expected, got '{}'", name, to_string(problem.lattice));
-  if (!problem.even()) fail("planner '{}': no difficulty and no drag expected: it takes length for cost", name);
+  if (!problem.even()) fail_uneven(name);
   if (planner == by_harmonic && problem.corners != Corners::keep)
     fail("planner '{}': corners 'keep' expected, got '{}': its walks take no diagonal steps", name,
          to_string(problem.corners));
@@ -53,7 +59,10 @@ void check_supported(const PlanningProblem& problem, const std::string& name, Pl
 
 }  // namespace
 
-void check_planner(const std::string& name) { planner_by_name(name); }
+void check_planner(const std::string& name, bool even) {
+  const Planner planner = planner_by_name(name);
+  if (!even && length_alone(planner)) fail_uneven(name);
+}
 
 PlanningResult solve(const PlanningProblem& problem, const std::string& planner, const PlannerOptions& options,
                      const Work& work) {

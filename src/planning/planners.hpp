@@ -20,7 +20,7 @@ PlanningResult solve(const PlanningProblem& problem, const std::string& planner,
 
 /// neural_map, distance_transform, harmonic, astar, theta_star.
 std::vector<std::string> planner_names();
-/// Throws ArgumentError unless it is one of these.
-void check_planner(const std::string& name);
+/// Throws ArgumentError unless it is one of these and, where cost is not `even`ly length, knows more than lengths.
+void check_planner(const std::string& name, bool even = true);
 
 }  // namespace meander

@@ -212,6 +212,7 @@ PlanningResult TileSolver::landscape(const PlanningProblem& problem, const Work&
   }
   result.statistics.relaxations = relaxations_;
   result.statistics.residual = residual_;
+  result.statistics.solver = to_string(NeuralSolver::tiles);
   return result;
 }
 

@@ -35,6 +35,7 @@ void fields(Options& o, Visitor&& visit) {
 struct StatisticsView {
   double cells = 0, relaxations = 0, dead_units = 0, residual = 0;
   bool complete = true;
+  std::string solver;
 };
 template <class Options, class Visitor>
 requires std::same_as<std::remove_const_t<Options>, StatisticsView>
@@ -44,15 +45,17 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"dead_units", "", "reachable cells without a value that a path could follow"}, o.dead_units);
   visit(Field{"residual", "", "largest relative error of a cell's equation at the end"}, o.residual);
   visit(Field{"complete", "", "false: ended as soon as the start had what it needs"}, o.complete);
+  visit(Field{"solver", "", "the one that ran: tiles leaves mazes, terrain and other lattices to active_list"},
+        o.solver);
 }
 
 namespace {
 
 Planned plan(const PlanTable& table, const Call& call) {
-  const PlanningTask task = task_of(table);
+  const PlanningTask task = task_of(table.task, table.source.world.get());
   const auto map = map_of(table.source, call.work());
   return or_reason(std::make_shared<Plan>(
-      make_plan(problem_on(*map, task, call.work()), table.planner, table.planners, table.path, call.work())));
+      make_plan(problem_on(*map, task, call.work()), table.planner, table.planners, table.task.path, call.work())));
 }
 
 Planned from(const Plan& plan, const Vec2& start, const std::optional<PathKind>& kind, const Call& call) {
@@ -81,8 +84,12 @@ MeasuresView measures(const Plan& plan) {
 
 StatisticsView statistics(const Plan& plan) {
   const PlanningStatistics& s = plan.result.statistics;
-  return {static_cast<double>(s.cells), static_cast<double>(s.relaxations), static_cast<double>(s.dead_units),
-          s.residual, s.complete};
+  return {static_cast<double>(s.cells),
+          static_cast<double>(s.relaxations),
+          static_cast<double>(s.dead_units),
+          s.residual,
+          s.complete,
+          s.solver};
 }
 
 std::optional<double> value(const Plan& plan, double x, double y) {
@@ -153,9 +160,10 @@ void bind_plan(lua_State* L) {
       .property<&measures>(PropertyDoc{.name = "measures",
                                        .text = "What the path is like: length, turning, curvature, clearance.",
                                        .example = EXAMPLE_PLAN "print(p.measures.length)"})
-      .property<&statistics>(PropertyDoc{.name = "statistics",
-                                         .text = "What the planner did: cells, relaxations, dead_units, residual.",
-                                         .example = EXAMPLE_PLAN "print(p.statistics.relaxations)"})
+      .property<&statistics>(
+          PropertyDoc{.name = "statistics",
+                      .text = "What the planner did: cells, relaxations, dead_units, residual, solver.",
+                      .example = EXAMPLE_PLAN "print(p.statistics.relaxations)"})
       .property<&Plan::clear>(PropertyDoc{.name = "clear",
                                           .text = "For certain the whole path keeps the robot's body clear of all that "
                                                   "is solid.",

@@ -28,16 +28,31 @@ struct ObjectName<Replanner> {
 };
 inline std::size_t native_size(const Replanner& r) { return 100 * r.neural.problem().blocked.cells().size(); }
 
+/// Of a neural map only what following edits has a use for.
+struct ReplannerTable {
+  Required<std::shared_ptr<PlanningMap>> map;
+  TaskTable task;
+  NeuralMapOptions neural_map;
+};
+template <class Options, class Visitor>
+requires std::same_as<std::remove_const_t<Options>, ReplannerTable>
+void fields(Options& o, Visitor&& visit) {
+  visit(Field{"map", "", "a map of meander.planning.map or read_map, whose edits are followed"}, o.map);
+  fields(o.task, visit);
+  fields(o.neural_map, [&](const Field& field, auto& member) {
+    const std::string_view name = field.name;
+    if (name != "extent" && name != "extra_patterns") visit(field, member);
+  });
+}
+
 namespace {
 
-std::shared_ptr<Replanner> make(const PlanTable& table, const Call& call) {
-  if (!table.source.map) fail("option 'map': missing, a map of meander.planning.map or read_map expected");
-  if (table.planner != "neural_map") fail("option 'planner': only neural_map follows edits, got '{}'", table.planner);
-  const PlanningTask task = task_of(table);
-  const NeuralMapOptions& options = table.planners.neural_map;
+std::shared_ptr<Replanner> make(const ReplannerTable& table, const Call& call) {
+  const PlanningTask task = task_of(table.task, nullptr);
+  const PlanningMap& map = *table.map.value;
   return std::make_shared<Replanner>(
-      Replanner{table.source.map, task, table.path, options,
-                NeuralReplanner(problem_on(*table.source.map, task, call.work()), options, call.work())});
+      Replanner{table.map.value, task, table.task.path, table.neural_map,
+                NeuralReplanner(problem_on(map, task, call.work()), table.neural_map, call.work())});
 }
 
 /// The cells that are blocked now and were free, or the other way round.
@@ -77,11 +92,13 @@ std::string text(const Replanner& replanner) {
 void bind_replanner(lua_State* L) {
   Module(L, "meander.planning", "")
       .function<&make>(Doc{.name = "replanner",
-                           .text = "A neural map that follows the edits of its map: only what changes is computed, and "
-                                   "the landscape is that of a solve from scratch, to the tolerance.",
-                           .args = {{"options", "as for plan, with a map that can be edited"}},
+                           .text =
+                               "A neural map that follows the edits of its map: only what changes is computed (with "
+                               "difficulty or drag, all), and the landscape is that of a solve from scratch, to "
+                               "the tolerance.",
+                           .args = {{"options", "the map, where from and where to, and how"}},
                            .returns = "the replanner",
-                           .errors = "no map, no target; a number out of range",
+                           .errors = "no map, no target; a number out of range; the solvers raster and synchronous",
                            .example = EXAMPLE_REPLANNER "print(r)"});
   Type<Replanner>(L, "A neural map that follows the edits of its map.")
       .method<&replan>(

@@ -154,6 +154,35 @@ describe("a plan", function()
     expect(lowest(steep, "distance_transform") < even - 0.3):is_true()
   end)
 
+  it("says which solver ran", function()
+    local map = room()
+    local function solver(options)
+      options.map, options.start, options.target = map, { 1, 1 }, { 7, 1 }
+      return meander.planning.plan(options).statistics.solver
+    end
+    expect(solver {}):equals "tiles"
+    expect(solver { lattice = "wide" }):equals "active_list"
+    expect(solver { extent = "start" }):equals "for_start"
+    for _, name in ipairs { "active_list", "raster", "synchronous" } do expect(solver { solver = name }):equals(name) end
+    expect(solver { planner = "harmonic" }):equals "exact"
+    expect(solver { planner = "astar" }):equals ""
+    map:set_difficulty({ { 1, 1 }, { 2, 2 } }, 2)
+    expect(solver {}):equals "active_list"
+  end)
+
+  it("refuses what does not follow edits, or would be passed over", function()
+    local function make(options)
+      options.map, options.target = options.map or room(), { 7, 1 }
+      return function() return meander.planning.replanner(options) end
+    end
+    expect(make { solver = "raster" }):throws "'tiles' or 'active_list' expected to follow edits, got 'raster'"
+    expect(make { extent = "start" }):throws "unknown option 'extent'"
+    expect(make { harmonic = { solver = "sor" } }):throws "unknown option 'harmonic'"
+    expect(make { planner = "astar" }):throws "unknown option 'planner'"
+    expect(function() meander.planning.replanner { target = { 1, 1 } } end):throws "option 'map': missing"
+    expect(make { solver = "active_list", weights = "gaussian", threads = 2 }():replan().statistics.solver):equals "active_list"
+  end)
+
   it("follows the edits of its map", function()
     local map = room()
     local replanner = meander.planning.replanner { map = map, start = { 1, 1 }, target = { 7, 1 }, robot_radius = 0.25 }
@@ -170,6 +199,15 @@ describe("a plan", function()
 end)
 
 describe("a planned route", function()
+  it("asks at once whether its planner takes the map", function()
+    local map = room()
+    map:set_difficulty({ { 1, 1 }, { 2, 2 } }, 2)
+    for _, planner in ipairs { "harmonic", "theta_star" } do
+      local function make() meander.autonomy.planned_route { map = map, target = { 7, 1 }, planner = planner } end
+      expect(make):throws "no difficulty and no drag expected"
+    end
+  end)
+
   it("takes the robot to its target", function()
     local world = meander.world.open "worlds/office.toml"
     local sim = meander.sim.new { world = world, start = { 1, 1, 0 }, seed = 7 }
