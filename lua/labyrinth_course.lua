@@ -68,11 +68,12 @@ function course.run(task)
   return run, sim
 end
 
--- A map of the world for one that knows it, and the guide along its shortest way.
+-- A map of the world for one that knows it, and the guide along its shortest way: subgoals near by, so that it follows, and
+-- nothing that is heard counts as not on the map.
 function course.plan_of(world) return meander.planning.map { world = world, resolution = 0.05 } end
 function course.oracle(map, goal)
   return meander.autonomy.planned_route {
-    map = map, target = goal, robot_radius = course.robot.body.radius, margin = 0.05, tolerance = 0.2,
+    map = map, target = goal, robot_radius = course.robot.body.radius, margin = 0.2, reach = 1, mapped = 10, tolerance = 0.2,
   }
 end
 
