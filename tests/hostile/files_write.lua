@@ -2,7 +2,6 @@
 -- SPDX-FileCopyrightText: the meander authors
 -- Every way to write, make, remove or rename outside of the folder.
 -- exit: 0
--- options: --sandbox-seconds 10
 -- output: ^refused$
 local folder = arg[1]
 local world = meander.world.new { start = { 1, 1, 0 } }

@@ -111,7 +111,9 @@ TEST(SonarExplorer, IsKnownByItsGuide) {
 TEST(SonarExplorer, IsReadAsItWasWrittenAndAFileThatIsCutOffIsRefused) {
   const Platform& robot = platform("nomad200");
   for (const PortPerception perception : {PortPerception::map, PortPerception::profile}) {
-    SonarExplorer explorer({1, 0.5}, robot, {.perception = perception});
+    SonarExplorerOptions options;
+    options.perception = perception;
+    SonarExplorer explorer({1, 0.5}, robot, options);
     Vec2 at(-1, 0);
     for (int i = 0; i < 60; ++i) {
       const GuideStep step = explorer.next(in_room(robot, at, i * robot.period), {});

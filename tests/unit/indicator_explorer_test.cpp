@@ -225,7 +225,10 @@ TEST(Explorer, ARandomWalkDoesNotDependOnTheOrderInWhichItsLinksAreStored) {
       options.seed = seed;
       Explorer explorer({9, 9}, options);
       explorer.perceive = [](IndicatorGraph&, IndicatorId) {};
-      explorer.restore(std::move(graph), {.run = 1, .at = here, .start = here});
+      ExplorerState state;
+      state.run = 1;
+      state.at = state.start = here;
+      explorer.restore(std::move(graph), state);
       const Decision& decision = explorer.step({.position = {0, 0}});
       ASSERT_TRUE(decision.to);
       chosen.push_back(explorer.graph().get(*decision.to).position);
