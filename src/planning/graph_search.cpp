@@ -14,6 +14,14 @@ double octile(int dx, int dy) {
   return less * std::numbers::sqrt2 + (more - less);
 }
 
+/// With more targets looking at each for every cell costs more than it saves: Dijkstra's algorithm then.
+constexpr std::size_t kMostEstimated = 64;
+
+/// Heaps put the least estimate first; of equal ones the one that has come farthest.
+constexpr auto kLater = [](const auto& a, const auto& b) {
+  return a.estimate != b.estimate ? a.estimate > b.estimate : a.cost < b.cost;
+};
+
 }  // namespace
 
 GraphSearch::GraphSearch(const PlanningProblem& problem)
@@ -29,6 +37,7 @@ GraphSearch::GraphSearch(const PlanningProblem& problem)
 }
 
 double GraphSearch::remaining(Cell cell) const {
+  if (targets_.size() > kMostEstimated) return 0;
   double least = std::numeric_limits<double>::infinity();
   for (const Cell target : targets_)
     least = std::min(least, problem_.lattice == Lattice::rectangular
@@ -43,16 +52,12 @@ void GraphSearch::offer(Cell cell, double cost, Cell parent) {
   parent_[cell] = parent;
   ++relaxations_;
   open_.push_back({cost + remaining(cell), cost, cell});
-  std::push_heap(open_.begin(), open_.end(), [](const Open& a, const Open& b) {
-    return a.estimate != b.estimate ? a.estimate > b.estimate : a.cost < b.cost;
-  });
+  std::push_heap(open_.begin(), open_.end(), kLater);
 }
 
 std::optional<Cell> GraphSearch::next() {
   while (!open_.empty()) {
-    std::pop_heap(open_.begin(), open_.end(), [](const Open& a, const Open& b) {
-      return a.estimate != b.estimate ? a.estimate > b.estimate : a.cost < b.cost;
-    });
+    std::pop_heap(open_.begin(), open_.end(), kLater);
     const Open best = open_.back();
     open_.pop_back();
     if (closed_[best.cell] != 0 || best.cost > cost_[best.cell]) continue;

@@ -31,4 +31,8 @@ struct PlanningResult {
   PlanningStatistics statistics{};
 };
 
+/// Of a logarithmic landscape: free cells that a path could not leave, because no step leads to a higher value, or that
+/// have none beside one that has some.
+std::int64_t dead_units(const PlanningProblem& problem, const Grid<double>& value, const Work& work = {});
+
 }  // namespace meander

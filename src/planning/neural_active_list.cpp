@@ -111,7 +111,9 @@ void settle(const NeuralNet& net, NeuralSolution& solution, std::vector<std::int
     relaxation.run();
     active.clear();
     solution.residual = 0;
+    std::size_t looked = 0;
     for (const std::int32_t i : relaxation.seen()) {
+      if (++looked % 4096 == 0) work.poll();
       const double error = relative_error(solution.v[static_cast<std::size_t>(i)], response(net, solution.v, i));
       solution.residual = std::max(solution.residual, error);
       if (error > 0.9 * tolerance) active.push_back(i);

@@ -14,12 +14,12 @@ PlanningResult neural_map(const PlanningProblem& problem, const NeuralMapOptions
   const bool for_start = options.extent == NeuralExtent::start && problem.start && !swept;
   if (fits_tiles(problem, options) && !for_start) return solve_tiles(problem, options, work);
   const NeuralNet net = neural_net(problem, options, work);
-  if (for_start) return landscape_of(net, solve_for_start(net, *problem.start, work), problem);
+  if (for_start) return landscape_of(net, solve_for_start(net, *problem.start, work), problem, work);
   if (options.solver == NeuralSolver::raster)
-    return landscape_of(net, solve_raster(net, options, problem.start, work), problem);
+    return landscape_of(net, solve_raster(net, options, problem.start, work), problem, work);
   if (options.solver == NeuralSolver::synchronous)
-    return landscape_of(net, solve_synchronous(net, options, problem.start, work), problem);
-  return landscape_of(net, solve_active_list(net, options, work), problem);
+    return landscape_of(net, solve_synchronous(net, options, problem.start, work), problem, work);
+  return landscape_of(net, solve_active_list(net, options, work), problem, work);
 }
 
 }  // namespace meander

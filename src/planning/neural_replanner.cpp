@@ -96,7 +96,8 @@ std::vector<std::int32_t> NeuralReplanner::drop_unsupported(std::vector<std::int
     Extended& own = solution_.v[static_cast<std::size_t>(i)];
     if (own.zero() || net_.is_target(i)) continue;
     const Extended u = response(net_, solution_.v, i);
-    if (!u.zero() && u.value >= least * own.in_block(u.block)) continue;
+    // Where its own block is two above, in_block() is 0 and it has lost nearly all.
+    if (!u.zero() && own.block <= u.block + 1 && u.value >= least * own.in_block(u.block)) continue;
     own = {};
     settle.push_back(i);
     net_.for_each_link(i, [&](std::int32_t j, int) { changed.push_back(j), settle.push_back(j); });

@@ -37,6 +37,7 @@ void settle(const NeuralNet& net, NeuralSolution& solution, std::vector<std::int
 NeuralSolution solve_for_start(const NeuralNet& net, Cell start, const Work& work = {});
 
 /// ln v of every cell that has any; the statistics know how many, and how many reachable units a path could not leave.
-PlanningResult landscape_of(const NeuralNet& net, const NeuralSolution& solution, const PlanningProblem& problem);
+PlanningResult landscape_of(const NeuralNet& net, const NeuralSolution& solution, const PlanningProblem& problem,
+                            const Work& work = {});
 
 }  // namespace meander

@@ -21,7 +21,7 @@ PlanningResult solve_tiles(const PlanningProblem& problem, const NeuralMapOption
   TileMap map = tile_map(problem, work);
   if (kernel == nullptr && is_maze(map)) {
     const NeuralNet net = neural_net(problem, options, work);
-    return landscape_of(net, solve_active_list(net, options, work), problem);
+    return landscape_of(net, solve_active_list(net, options, work), problem, work);
   }
   TileSolver solver(std::move(map), options, kernel != nullptr ? *kernel : *tile_kernels().back());
   solver.solve(problem, work);

@@ -49,7 +49,8 @@ PathMeasures measure_path(const std::vector<Vec2>& points, const Clearance& clea
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (i % 64 == 0) work.poll();
     measures.length += (points[i] - points[i - 1]).norm();
-    measures.clearance_min = std::min(measures.clearance_min, clearance.of(points[i - 1], points[i]));
+    measures.clearance_min =
+        std::min(measures.clearance_min, clearance.of(points[i - 1], points[i], measures.clearance_min));
   }
   for (const double turn : turns(points)) measures.turning += turn;
   const std::vector<Vec2> samples = resampled(points, 1);

@@ -70,9 +70,9 @@ PlanningResult solve(const PlanningProblem& problem, const std::string& planner,
   validate(options.neural_map);
   validate(options.harmonic);
   check_supported(problem, planner, chosen);
-  // A search finds out by itself whether a way leads there.
-  const bool search = chosen == plain<astar> || chosen == plain<theta_star>;
-  std::string reason = search ? bad_place_reason(problem) : no_path_reason(problem, work);
+  // A search finds out by itself whether a way leads there, and a neural map asks.
+  const bool by_itself = chosen == plain<astar> || chosen == plain<theta_star> || chosen == by_neural_map;
+  std::string reason = by_itself ? bad_place_reason(problem) : no_path_reason(problem, work);
   if (!reason.empty()) return {.value = {}, .reason = std::move(reason)};
   return chosen(problem, options, work);
 }

@@ -29,8 +29,12 @@ double over_relaxation(double steepness) {
 TileSolver::TileSolver(TileMap map, const NeuralMapOptions& options, const TileKernel& kernel)
     : options_(options),
       map_(std::move(map)),
-      step_{map_, kernel, curves_, options.steepness / (4 + 2 * std::numbers::sqrt2),
-            over_relaxation(options.steepness)},
+      step_{map_,
+            kernel,
+            curves_,
+            options.steepness / (4 + 2 * std::numbers::sqrt2),
+            over_relaxation(options.steepness),
+            0.2 * std::sqrt(options.tolerance)},
       taken_(map_.tile.size(), 0) {
   const int cores = tbb::info::default_concurrency();
   threads_ = options.threads > 0 ? std::min(options.threads, cores) : cores;
@@ -98,10 +102,10 @@ void TileSolver::run(double threshold, RoundTeam* team, const Work& work) {
   std::vector<std::int32_t> bucket, together;
   std::array<std::vector<std::int32_t>, 4> of_colour;
   while (queue_.pop(bucket)) {
-    work.poll();
     for (std::vector<std::int32_t>& units : of_colour) units.clear();
     for (const std::int32_t number : bucket) of_colour[unit(number).colour].push_back(number);
     for (const std::vector<std::int32_t>& units : of_colour) {
+      work.poll();
       take_those_in_turn(units, together);
       relax_together(together, threshold, team);
     }
@@ -200,16 +204,12 @@ PlanningResult TileSolver::landscape(const PlanningProblem& problem, const Work&
       if (unit.rows[static_cast<std::size_t>(y)] == 0) continue;
       double* row = &result.value[{left, low + y}];
       for (int x = 0; x < kTile; ++x)
-        if ((unit.rows[static_cast<std::size_t>(y)] >> x & 1) == 0) {
-          continue;
-        } else if (cells.cell[y][x] > 0) {
+        if ((unit.rows[static_cast<std::size_t>(y)] >> x & 1) != 0 && cells.cell[y][x] > 0)
           row[x] = natural_log(cells.cell[y][x]) + offset;
-        } else {
-          ++result.statistics.dead_units;
-        }
     }
     result.statistics.cells += unit.size;
   }
+  result.statistics.dead_units = dead_units(problem, result.value, work);
   result.statistics.relaxations = relaxations_;
   result.statistics.residual = residual_;
   result.statistics.solver = to_string(NeuralSolver::tiles);

@@ -13,9 +13,8 @@ using Side = TileScratch::Side;
 
 constexpr std::int32_t kBlock = 512;  ///< exponents are multiples of this
 constexpr double kHigh = 0x1p440, kLow = 0x1p-100;
-constexpr double kBend = 2e-4;  ///< below, tanh(u) = u to within 2e-8 of itself
-constexpr int kPatience = 4;    ///< bits of -log2 v that a bit of -log2 of a change is worth
-constexpr int kCoarse = 3;      ///< units that are within 2^3 bits come together
+constexpr int kPatience = 4;  ///< bits of -log2 v that a bit of -log2 of a change is worth
+constexpr int kCoarse = 3;    ///< units that are within 2^3 bits come together
 constexpr std::uint8_t kAllSides = 0xf;
 
 struct AllLinks {
@@ -188,7 +187,7 @@ void TileStep::relax(std::int32_t number, double threshold, TileScratch& scratch
 
 void TileStep::tell(const TileUnit& unit, std::int32_t other, double value, int change_bits, int sides,
                     TileOutcome& outcome) const {
-  const bool steep = unit.exponent == 0 && value > kBend;
+  const bool steep = unit.exponent == 0 && value > bent_above;
   outcome.add({other, urgency(unit.exponent, value, change_bits), static_cast<std::uint8_t>(sides), steep,
                unit.exponent - (value < kLow ? kBlock : 0)});
 }
@@ -227,7 +226,7 @@ std::int32_t TileStep::place(std::int32_t number) const {
   return urgency(unit.exponent, highest_of(unit), 0);
 }
 
-bool TileStep::is_steep(const TileUnit& unit) const { return unit.exponent == 0 && highest_of(unit) > kBend; }
+bool TileStep::is_steep(const TileUnit& unit) const { return unit.exponent == 0 && highest_of(unit) > bent_above; }
 
 double TileStep::residual(std::int32_t number, TileScratch& scratch) const {
   TileUnit& unit = map.units[static_cast<std::size_t>(number)];

@@ -36,8 +36,9 @@ struct TileStep {
   TileMap& map;
   const TileKernel& kernel;
   std::vector<TileCurve>& curves;
-  double beta;   ///< of neighbours in a row or column; those on diagonals have beta / sqrt 2
-  double omega;  ///< over-relaxation
+  double beta;        ///< of neighbours in a row or column; those on diagonals have beta / sqrt 2
+  double omega;       ///< over-relaxation
+  double bent_above;  ///< activation up to here has u for tanh(u) = u (1 - u^2 / 3): a 75th of the tolerance
 
   /// Changes below this share are not told.
   void relax(std::int32_t unit, double threshold, TileScratch& scratch, TileOutcome& outcome) const;

@@ -249,5 +249,24 @@ TEST(NeuralMap, TheSteepestNeighbourIsThatOfAMultiPrecisionSolveInEveryUnit) {
   }
 }
 
+/// Whoever solves it: what a path could not leave is counted from the landscape.
+TEST(NeuralMap, DeadUnitsAreSeenInTheLandscape) {
+  for (const Corners corners : {Corners::keep, Corners::cut})
+    for (const Lattice lattice : {Lattice::rectangular, Lattice::wide, Lattice::hexagonal}) {
+      PlanningProblem problem = problem_on(rooms(60, 50, 13, 2330), 2331);
+      problem.corners = corners;
+      problem.lattice = lattice;
+      Grid<double> value = neural_map(problem).value;
+      EXPECT_EQ(dead_units(problem, value), 0);
+      const Cell lost = problem.targets[0] == Cell{5, 5} ? Cell{18, 18} : Cell{5, 5};
+      const double before = std::exchange(value[lost], kNoValue);
+      EXPECT_GE(dead_units(problem, value), 1) << "never woken";
+      value[lost] = -1e-9;
+      EXPECT_GE(dead_units(problem, value), 1) << "a local maximum";
+      value[lost] = before;
+      EXPECT_EQ(dead_units(problem, value), 0);
+    }
+}
+
 }  // namespace
 }  // namespace meander

@@ -96,5 +96,19 @@ TEST(NeuralTiles, TargetsAnywhereInATile) {
   }
 }
 
+/// Where tanh is taken for straight depends on the tolerance, however small it is.
+TEST(NeuralTiles, HoldEveryTolerance) {
+  const PlanningProblem problem{.blocked = open_floor(100, 100), .targets = {{54, 54}}};
+  for (const double tolerance : {1e-12, 1e-10, 1e-8, 1e-4}) {
+    const Grid<double> tiles = neural_map(problem, {.tolerance = tolerance}).value;
+    const Grid<double> exact = neural_map(problem, {.solver = NeuralSolver::active_list, .tolerance = 1e-12}).value;
+    double worst = 0;
+    for (int y = 0; y < 100; ++y)
+      for (int x = 0; x < 99; ++x)
+        worst = std::max(worst, std::abs(tiles[{x + 1, y}] - tiles[{x, y}] - exact[{x + 1, y}] + exact[{x, y}]));
+    EXPECT_LT(worst, 4 * tolerance + 4e-12) << tolerance;
+  }
+}
+
 }  // namespace
 }  // namespace meander
