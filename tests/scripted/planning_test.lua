@@ -195,6 +195,9 @@ describe("a plan", function()
     local again = replanner:replan()
     expect(again.clear):is_true()
     expect(math.abs(again.measures.length - first.measures.length) < 0.01):is_true()
+    expect(replanner.relaxations > 0):is_true()
+    replanner:replan() -- nothing has changed
+    expect(replanner.relaxations):equals(0)
   end)
 end)
 

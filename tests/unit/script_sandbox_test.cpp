@@ -55,6 +55,7 @@ const char* const kObjects = R"(
     run = s:drive { navigator = function() return 0.3, 0 end, subgoals = { {2, 1} } },
     map = meander.mapping.map { model = 'elfes' }, indicator_graph = meander.indicator.graph(),
     explorer = meander.indicator.explorer { goal = {5, 5} }, topologic_map = places,
+    sonar_explorer = meander.indicator.sonar_explorer { goal = {5, 5} },
     minimal_map = meander.topology.minimal { map = places },
     sonar_network = meander.mapping.train { lessons = lessons, hidden = {2}, epochs = 1 } })";
 
