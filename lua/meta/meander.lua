@@ -190,13 +190,14 @@ local grid_map = {}
 ---@class plan
 ---@field path meander.point[] The points of the path, from the start's cell to the target's. [m]
 ---@field measures table What the path is like: length, turning, curvature, clearance.
----@field statistics table What the planner did: cells, relaxations, dead_units, residual.
+---@field statistics table What the planner did: cells, relaxations, dead_units, residual, solver.
 ---@field clear boolean For certain the whole path keeps the robot's body clear of all that is solid.
 ---@field planner string Who planned it.
 local plan = {}
 
 ---A neural map that follows the edits of its map.
 ---@class replanner
+---@field relaxations number Updates of a cell's value that the last replan needed; before it, the first solve.
 local replanner = {}
 
 ---Indicators and the links between their ports.
@@ -240,6 +241,11 @@ local sonar_explorer = {}
 ---@field start meander.point Centre of the first cell. [m]
 ---@field goal meander.point Centre of the last cell. [m]
 local labyrinth = {}
+
+---Keeps to the shortest way over cells by all that it has seen of them.
+---@class cell_planner
+---@field proven boolean The last run was as short as it can be.
+local cell_planner = {}
 
 ---Places with what was sensed there, linked where the robot went from one to the other.
 ---@class topologic_map
@@ -751,7 +757,7 @@ function meander.world.from_toml(text) end
 ---@field epsilon? number how far a straight outline may leave the edges of cells (maps and pictures) [cells]; 0.49 when left out
 ---@field min_area? number smaller solid patches are dropped as specks (maps and pictures) [m^2]; 0 when left out
 
----Reads other people's maps by suffix: world files, ROS maps (.yaml), pictures of floor plans (.png, .pgm, .jpg), BARN tables (.csv), MovingAI maps (.map).
+---Reads other people's maps by suffix: world files, ROS maps (.yaml), pictures of floor plans (.png, .pgm, .jpg), BARN tables (.csv), MovingAI maps and ARIA line maps (.map).
 ---
 ---Fails on no such file; unknown suffix; what is wrong in it.
 ---
@@ -1263,13 +1269,13 @@ function meander.polar.tangent_bug(options) end
 ---@field escape? meander.polar.navigator.options.trap.escape along the wall
 
 ---@class meander.polar.navigator.options.own
----@field weights? fun(ring: any): ...any function(ring): weights {inward =, outward =, lateral =, leak =} of a ring
----@field objective? fun(candidate: any): ...any function(candidate): its cost; the least is taken
----@field subgoal? fun(map: map): ...any function(map): ring and sector of the subgoal, or nil: no way
+---@field weights? fun(ring: any): ...any function(ring): weights {inward =, outward =, lateral =, leak =, inward_diagonal =, outward_diagonal =} of a ring, which has ring, rings, sectors, radius, inner, outer, spacing
+---@field objective? fun(candidate: any): ...any function(candidate): its cost; the least is taken; a candidate has v, w, x, y, heading, distance, heading_error, samples, hard, soft, near
+---@field subgoal? fun(map: map): ...any function(map): ring and sector of the subgoal, or nil: no way; a map has rings, sectors, target, target_ring, previous, radii, bearings, activation
 
 ---@class meander.polar.navigator.options
 ---@field robot? meander.robot_name|meander.polar.potential_field.options.robot kind of robot that it drives
----@field mode? meander.mode_name with the remedies beyond the paper, or without them; 'full' when left out
+---@field mode? meander.mode_name with the remedies beyond the paper, or without them: then their options are refused; 'full' when left out
 ---@field map? meander.polar.navigator.options.map the polar map
 ---@field memory? meander.polar.navigator.options.memory the short-term memory
 ---@field prediction? meander.polar.navigator.options.prediction prediction of the configuration
@@ -2032,6 +2038,8 @@ function map:clear() end
 ---@field robot? meander.robot_name|meander.polar.potential_field.options.robot kind of robot whose sonars are read
 ---@field preset? string networks: sonar that their weights were trained for
 ---@field table? boolean networks: compiled to a lookup table, faster and a little worse; false when left out
+---@field elfes? meander.mapping.map.options.elfes options of the model of this name
+---@field ros? meander.mapping.map.options.ros options of the model of this name
 
 ---A sensor model: what one scan tells about cells. By name, from a network, or a function of one's own: it is given the ranges and lists of the cells' ranges [m] and bearings [rad] from the robot, and returns a list of log-odds.
 ---
@@ -2119,7 +2127,7 @@ function meander.mapping.lessons(options) end
 
 ---Trains a network from random weights; the same lessons and options give the same.
 ---
----Fails on lessons without occupied or free cells; a number out of range.
+---Fails on lessons without occupied or free cells; a number out of range; words of several lines.
 ---
 ---```lua
 ---l = meander.mapping.lessons { worlds = { meander.world.open 'worlds/office.toml' }, poses = 5 }
@@ -2216,7 +2224,7 @@ function meander.study.map_truth(map, sim, options) end
 ---@field remember_views? boolean viewbin: a view come back to goes on from its opinion instead of counting anew; true when left out
 
 ---@class meander.autonomy.map_navigator.options.polar
----@field mode? meander.mode_name with the remedies beyond the paper, or without them; 'full' when left out
+---@field mode? meander.mode_name with the remedies beyond the paper, or without them: then their options are refused; 'full' when left out
 ---@field map? meander.polar.navigator.options.map the polar map
 ---@field memory? meander.polar.navigator.options.memory the short-term memory
 ---@field prediction? meander.polar.navigator.options.prediction prediction of the configuration
@@ -2368,7 +2376,7 @@ function grid_map:block(box, solid) end
 
 ---How hard it is to go through the cells of a box: cost of a way, for its length.
 ---
----Fails on a number that is not > 0.
+---Fails on a number that is not from 0.001 to 1000.
 ---
 ---```lua
 ---m = meander.planning.map { world = meander.world.new { bounds = {{0, 0}, {8, 4}} }, resolution = 1 }
@@ -2381,7 +2389,7 @@ function grid_map:set_difficulty(box, difficulty) end
 
 ---Inclines and preferred ways: a way in direction u costs 1 + drag . u times as much.
 ---
----Fails on a vector of length 1 or more.
+---Fails on a longer vector.
 ---
 ---```lua
 ---m = meander.planning.map { world = meander.world.new { bounds = {{0, 0}, {8, 4}} }, resolution = 1 }
@@ -2389,7 +2397,7 @@ function grid_map:set_difficulty(box, difficulty) end
 ---print(m)
 ---```
 ---@param box meander.box where [m]
----@param drag meander.point uphill; shorter than 1
+---@param drag meander.point uphill; of length up to 0.999
 function grid_map:set_drag(box, drag) end
 
 ---Does something solid stand there?
@@ -2432,10 +2440,10 @@ function grid_map:solid(x, y) end
 ---@field vacant? number cells of at most this probability are free; between the two they are unknown; 0.35 when left out
 ---@field unknown? meander.planning.map.options.unknown what becomes of unknown cells; 'blocked' when left out
 ---@field unknown_cost? number difficulty of unknown cells where they are costly; 4 when left out
----@field start? meander.point where from; left out: the landscape alone [m]
+---@field planner? string who plans: neural_map, distance_transform, harmonic, astar or theta_star
+---@field start? string|thing|meander.point|{ x?: any, y?: any, tolerance?: any, heading?: any, name?: any } where from; left out: the landscape alone [m]
 ---@field target? string|thing|meander.point|{ x?: any, y?: any, tolerance?: any, heading?: any, name?: any } where to [m]
 ---@field targets? (string|thing|meander.point|{ x?: any, y?: any, tolerance?: any, heading?: any, name?: any })[] where to, several: to the one that is best [m]
----@field planner? string who plans; meander.planning.planners() names them
 ---@field path? meander.path_name how the path is read off the landscape; 'gradient' when left out
 ---@field robot_radius? number what is solid is kept this far from the path [m]; 0 when left out
 ---@field corners? meander.corners_name may diagonal steps pass the corner of a blocked cell; 'keep' when left out
@@ -2473,7 +2481,7 @@ function meander.planning.planners() end
 
 ---A path on the same landscape from another start, or read off in another way.
 ---
----Fails on a plan of a search, which has no landscape.
+---Fails on a plan of a search, which has no landscape; another start than that of an extent = 'start'.
 ---
 ---```lua
 ---p = meander.planning.plan { world = meander.world.new { bounds = {{0, 0}, {8, 4}} }, resolution = 0.5, start = {1, 1}, target = {7, 3} }
@@ -2505,16 +2513,32 @@ function plan:value(x, y) end
 ---@return matrix # a matrix
 function plan:landscape() end
 
----A neural map that follows the edits of its map: only what changes is computed, and the landscape is that of a solve from scratch, to the tolerance.
+---@class meander.planning.replanner.options
+---@field map grid_map a map of meander.planning.map or read_map, whose edits are followed
+---@field start? string|thing|meander.point|{ x?: any, y?: any, tolerance?: any, heading?: any, name?: any } where from; left out: the landscape alone [m]
+---@field target? string|thing|meander.point|{ x?: any, y?: any, tolerance?: any, heading?: any, name?: any } where to [m]
+---@field targets? (string|thing|meander.point|{ x?: any, y?: any, tolerance?: any, heading?: any, name?: any })[] where to, several: to the one that is best [m]
+---@field path? meander.path_name how the path is read off the landscape; 'gradient' when left out
+---@field robot_radius? number what is solid is kept this far from the path [m]; 0 when left out
+---@field corners? meander.corners_name may diagonal steps pass the corner of a blocked cell; 'keep' when left out
+---@field lattice? meander.lattice_name which cells are neighbours; 'rectangular' when left out
+---@field solver? meander.solver_name how the equilibrium is found; 'tiles' when left out
+---@field weights? meander.planning.plan.options.weights weight of a connection of cost rho: 1 / rho or exp(-gamma rho^2); 'inverse' when left out
+---@field gamma? number of gaussian weights; 0.5 when left out
+---@field steepness? number beta times the largest sum of a unit's weights; 0.68 is the paper's beta of 0.1; 0.68 when left out
+---@field tolerance? number largest relative error of a unit's equation at the end; 1e-06 when left out
+---@field threads? integer of the tiles solver; 0: all cores; the same landscape with any number; 1 when left out
+
+---A neural map that follows the edits of its map: only what changes is computed (with difficulty or drag, all), and the landscape is that of a solve from scratch, to the tolerance.
 ---
----Fails on no map, no target; a number out of range.
+---Fails on no map, no target; a number out of range; the solvers raster and synchronous.
 ---
 ---```lua
 ---m = meander.planning.map { world = meander.world.new { bounds = {{0, 0}, {8, 4}} }, resolution = 0.5 }
 ---r = meander.planning.replanner { map = m, start = {1, 1}, target = {7, 1} }
 ---print(r)
 ---```
----@param options? meander.planning.plan.options as for plan, with a map that can be edited
+---@param options meander.planning.replanner.options the map, where from and where to, and how
 ---@return replanner # the replanner
 function meander.planning.replanner(options) end
 
@@ -2543,7 +2567,8 @@ function replanner:replan() end
 ---@field unknown_cost? number difficulty of unknown cells where they are costly; 4 when left out
 ---@field target? string|thing|meander.point|{ x?: any, y?: any, tolerance?: any, heading?: any, name?: any } where to [m]
 ---@field targets? (string|thing|meander.point|{ x?: any, y?: any, tolerance?: any, heading?: any, name?: any })[] where to, several: to the one that is best [m]
----@field planner? string who plans; meander.planning.planners() names them
+---@field robot? meander.robot_name|meander.polar.potential_field.options.robot kind of robot: what its sonars hear and the map does not show is gone round, too, and robot_radius is that of its body
+---@field planner? string who plans: neural_map, distance_transform, harmonic, astar or theta_star
 ---@field robot_radius? number of the robot's body [m]; 0.3 when left out
 ---@field margin? number kept from what is solid besides; given up where no path has it [m]; 0.1 when left out
 ---@field reach? number a subgoal is at most this far ahead on the path, and in sight on the map [m]; 3 when left out
@@ -2552,8 +2577,9 @@ function replanner:replan() end
 ---@field detour? number trapped is also who has driven this much more than the straight way to the subgoal [m]; 3 when left out
 ---@field replans? integer so often a new path is planned because the robot was trapped; 12 when left out
 ---@field trap_size? number side of the square that is taken as blocked where a trapped robot came no nearer [m]; 0.5 when left out
+---@field mapped? number what the sonars hear this near to something solid in the map is taken to be that [m]; 0.2 when left out
 
----A guide: plans a path on a map of cells and hands its points to the navigator, each the farthest in sight. Plans anew when the navigator is trapped, with what is ahead taken as blocked, and when an edit of the map blocks the rest of the path. It sees the map, never the world.
+---A guide: plans a path on a map of cells and hands its points to the navigator, each the farthest in sight. Plans anew when the navigator is trapped, with what is ahead taken as blocked, and when an edit of the map, or what the robot's sonars hear, blocks the rest of the path. It sees the map and the readings, never the world.
 ---
 ---Fails on no target; none or several maps; a number out of range.
 ---
@@ -2645,7 +2671,7 @@ function indicator_graph:nearest(position) end
 ---@param path string the file
 function indicator_graph:save(path) end
 
----The picture of a world with the graph over it.
+---The picture of a world with the graph over it, and the way that was driven.
 ---
 ---```lua
 ---g = meander.indicator.graph()
@@ -2654,8 +2680,9 @@ function indicator_graph:save(path) end
 ---show(g:over(meander.world.new {}))
 ---```
 ---@param world world in whose frame the indicators are
+---@param run? run the drive; none when left out
 ---@return picture # the picture, for show and save
-function indicator_graph:over(world) end
+function indicator_graph:over(world, run) end
 
 ---Gives it one more motion direction, of which nothing is known yet.
 ---
@@ -2743,7 +2770,7 @@ function indicator:reopen(port) end
 ---```
 function indicator:remove() end
 
----@alias meander.explorer_name 'indicator'|'tremaux'|'depth_first'|'nearest'|'random_walk'
+---@alias meander.explorer_name 'indicator'|'tremaux'|'depth_first'|'nearest'|'goal_frontier'|'random_walk'
 
 ---@alias meander.rules_name 'literal'|'repaired'|'optimistic'
 
@@ -2780,6 +2807,10 @@ function indicator:remove() end
 ---@return explorer # the explorer
 function meander.indicator.explorer(options) end
 
+---@class meander.indicator.open_explorer.options
+---@field on_indicator? fun(indicator: indicator): ...any function(indicator), called when one was placed: {serial, x, y, run}
+---@field on_decision? fun(decision: any): ...any function(decision), called after each step
+
 ---Reads an explorer that explorer:save wrote; it goes on as if nothing had been.
 ---
 ---Fails on the file cannot be read, or is none.
@@ -2792,8 +2823,9 @@ function meander.indicator.explorer(options) end
 ---print(meander.indicator.open_explorer(f))
 ---```
 ---@param path string the file
----@return explorer # the explorer, without functions that are called
-function meander.indicator.open_explorer(path) end
+---@param options? meander.indicator.open_explorer.options functions that it calls, for they are not in the file
+---@return explorer # the explorer
+function meander.indicator.open_explorer(path, options) end
 
 ---A run begins: the robot was set down at its start. What is known stays known.
 ---
@@ -2861,7 +2893,9 @@ function explorer:graph() end
 ---@return number|nil
 function explorer:route() end
 
----@alias meander.strategy_name 'indicators'|'free_space'|'frontier'|'goal_frontier'
+---@alias meander.strategy_name 'indicators'|'dstar_lite'|'frontier'|'goal_frontier'
+
+---@alias meander.perception_name 'map'|'profile'
 
 ---@class meander.indicator.sonar_explorer.options.map
 ---@field resolution? number side of a cell [m]; 0.05 when left out
@@ -2873,13 +2907,26 @@ function explorer:route() end
 ---@field moved? number a scan counts when the robot has moved so far since the last [m]; 0.045 when left out
 ---@field margin? number kept from walls beside the robot's radius [m]; 0.025 when left out
 ---@field hard? number a wall with more evidence than this is certain, and hardly worn away; 6 when left out
+---@field suspect? number with more evidence than this a wall is suspected, and nothing expected behind; 0.6 when left out
+---@field room? number ways leave so much more beside them, where they can [m]; 0.225 when left out
 
----@class meander.indicator.sonar_explorer.options.perception
+---@class meander.indicator.sonar_explorer.options.ports
 ---@field ball? number what is so near by a free way belongs to an indicator: 1.25 corridor widths [m]; 1.25 when left out
 ---@field shell? number thickness of the ball's shell, in which ports are sought [m]; 0.12 when left out
 ---@field piece? number a wider piece of the shell is cut [m]; 0.9 when left out
 ---@field cells? integer least number of cells of a port; 3 when left out
 ---@field window? number so far around an indicator is looked for what lies behind a port [m]; 4 when left out
+
+---@class meander.indicator.sonar_explorer.options.profile
+---@field memory? number echoes are kept for so much way [m]; 2 when left out
+---@field range? number what is farther away counts for nothing [m]; 3 when left out
+---@field through? number an echo is forgotten when a later beam through it reads so much more [m]; 0.06 when left out
+---@field beam? number half opening angle within which a beam goes through an echo [rad]; 0.11 when left out
+---@field directions? integer in so many directions it is asked how far the robot could drive; 72 when left out
+---@field slim? number the robot is taken to be narrower by so much: cones show walls nearer to their axis [m]; 0.08 when left out
+---@field open? number a direction is open when the robot could drive so far, or, in wide places, farther [m]; 0.8 when left out
+---@field least? number a narrower interval of open directions is none [rad]; 0.17 when left out
+---@field most? number a wider interval is cut [rad]; 1.3 when left out
 
 ---@class meander.indicator.sonar_explorer.options.sight
 ---@field near? number indicators within this of the robot have their ports told anew [m]; 3.2 when left out
@@ -2889,7 +2936,8 @@ function explorer:route() end
 ---@class meander.indicator.sonar_explorer.options
 ---@field goal meander.point where to, in the odometry frame [m]
 ---@field robot? meander.robot_name|meander.polar.potential_field.options.robot kind of robot
----@field strategy? meander.strategy_name who chooses: the indicators; the shortest way with unknown as free; the frontier nearest to the robot, or nearest on the way to the goal; 'indicators' when left out
+---@field strategy? meander.strategy_name who chooses: the indicators; D* Lite's shortest way with unknown as free; the frontier nearest to the robot, or nearest on the way to the goal; 'indicators' when left out
+---@field perception? meander.perception_name what ports are read off: the accumulated map, or, as in the paper, the polar profile of the place; 'map' when left out
 ---@field explorer? meander.explorer_name who decides: the indicators' rules, or a baseline on the same graph; 'indicator' when left out
 ---@field rules? meander.rules_name the paper's rules literally, repaired, or optimistic; 'optimistic' when left out
 ---@field eps? number stop looking when nothing unknown can shorten the route by more than this share; 0.01 when left out
@@ -2899,16 +2947,17 @@ function explorer:route() end
 ---@field tolerance? number the goal is reached when so near [m]; 0.3 when left out
 ---@field same? number an indicator that is so near is the one here [m]; 0.3 when left out
 ---@field match? number a port seen in a direction that is off by so little is the one stored [rad]; 0.6 when left out
----@field evidence? integer visits in a row without a port to be seen until it counts as closed; 1 when left out
+---@field evidence? integer visits in a row without a port to be seen until it counts as closed; 2 when left out
 ---@field tries? integer failed approaches until a port is given up; 2 when left out
 ---@field recheck? integer runs until a closed way is tried again, twice as many each time; 0: never; 3 when left out
 ---@field decisions? integer budget of a run; 20000 when left out
 ---@field budget? number budget of a run; 0: none [m]; 0 when left out
 ---@field seed? integer of the random walk; 1 when left out
 ---@field map? meander.indicator.sonar_explorer.options.map the map that the sonars make
----@field perception? meander.indicator.sonar_explorer.options.perception how ports are read off the map
+---@field ports? meander.indicator.sonar_explorer.options.ports how ports are read off the map
+---@field profile? meander.indicator.sonar_explorer.options.profile how ports are read off the polar profile
 ---@field sight? meander.indicator.sonar_explorer.options.sight of which indicators the map is asked
----@field ahead? number subgoals are so far ahead on the way [m]; 0.9 when left out
+---@field ahead? number subgoals are so far ahead on the way [m]; 0.7 when left out
 ---@field arrive? number a place is reached within this [m]; 0.2 when left out
 ---@field check? number after so much way it is checked whether what is driven to is still worth it [m]; 0.35 when left out
 ---@field patience? number a way on which the robot comes no nearer for so long is blocked [s]; 8 when left out
@@ -2931,6 +2980,24 @@ function explorer:route() end
 ---@return sonar_explorer # the explorer, whose guide any navigator follows
 function meander.indicator.sonar_explorer(options) end
 
+---Reads a sonar explorer that sonar_explorer:save wrote: its next runs are as if nothing had been.
+---
+---Fails on the file cannot be read, or is none.
+---
+---```lua
+---e = meander.indicator.sonar_explorer { goal = {4, 0} }
+---w = meander.world.new { bounds = {{-2, -2}, {6, 2}}, start = {0, 0, 0} }
+---s = meander.sim.new { world = w }
+---s:drive { navigator = 'polar', guide = e:guide() }
+---f = os.tmpname()
+---e:save(f)
+---print(meander.indicator.open_sonar_explorer(f))
+---```
+---@param path string the file
+---@param options? meander.indicator.open_explorer.options functions that it calls, for they are not in the file
+---@return sonar_explorer # the explorer, before its next run
+function meander.indicator.open_sonar_explorer(path, options) end
+
 ---The guide that it is, for sim:drive. Each drive is a run.
 ---
 ---```lua
@@ -2939,6 +3006,20 @@ function meander.indicator.sonar_explorer(options) end
 ---```
 ---@return guide # the guide
 function sonar_explorer:guide() end
+
+---Writes what it knows, map and graph, with its goal and options, for open_sonar_explorer.
+---
+---Fails on the file cannot be written.
+---
+---```lua
+---e = meander.indicator.sonar_explorer { goal = {4, 0} }
+---w = meander.world.new { bounds = {{-2, -2}, {6, 2}}, start = {0, 0, 0} }
+---s = meander.sim.new { world = w }
+---s:drive { navigator = 'polar', guide = e:guide() }
+---e:save(os.tmpname())
+---```
+---@param path string the file
+function sonar_explorer:save(path) end
 
 ---A copy of its graph as it is now.
 ---
@@ -3069,6 +3150,18 @@ function meander.indicator.labyrinth(options) end
 ---@return table # ending, reason, length, decisions, coverage, last
 function labyrinth:explore(explorer, start) end
 
+---What explorers are compared with that keeps a map of cells: always the shortest way as if all were open that was not seen closed, kept up by D* Lite.
+---
+---Fails on a point outside.
+---
+---```lua
+---l = meander.indicator.labyrinth { size = 6, seed = 2, loops = 0.1 }
+---print(l:planner():walk(l).length, l:shortest())
+---```
+---@param to? meander.point a point in a cell, the goal; the last one when left out [m]
+---@return cell_planner # the planner, which knows nothing yet
+function labyrinth:planner(to) end
+
 ---Length of the shortest way.
 ---
 ---Fails on a point outside.
@@ -3129,6 +3222,21 @@ function labyrinth:set_open(column, row, side, open) end
 ---@return world # the world
 function labyrinth:world(options) end
 
+---A run by a robot that sees which sides of its cell are open and how far, and knows where it is.
+---
+---Fails on another size; a start outside.
+---
+---```lua
+---l = meander.indicator.labyrinth { size = 6, seed = 2, loops = 0.1 }
+---p = l:planner()
+---p:walk(l)
+---print(p:walk(l).length)
+---```
+---@param labyrinth labyrinth one of the size that it was made for
+---@param start? meander.point a point in the cell; the first one when left out [m]
+---@return table # ending, reason, length, decisions, coverage, last
+function cell_planner:walk(labyrinth, start) end
+
 ---Qualitative topologic maps: places and links from whiskers and light.
 meander.topology = {}
 
@@ -3160,7 +3268,7 @@ meander.topology = {}
 
 ---@class meander.topology.map.options.doubt
 ---@field suspend? number contacts against a link that suspend it; 0: links are never suspended; 2 when left out
----@field relief? number what a sample that feels the way free takes away; 0.25 when left out
+---@field relief? number what a sample that feels the way free takes away; 0.5 when left out
 ---@field reach? number links of cells this near to the robot are judged [m]; 0.75 when left out
 ---@field surprise? number contacts that a cell expects more than this are no surprise; 0.4 when left out
 ---@field clear? number both cells must be this far from the line of the wall [m]; 0.05 when left out
@@ -3378,6 +3486,13 @@ function topologic_map:over(world) end
 ---@return navigator # the navigator
 function meander.topology.whiskers(options) end
 
+---@class meander.topology.wander.options.revisit
+---@field share? number of the behaviours that drive to doubted links, while there are any; 0 when left out
+---@field tries? integer of a link that cannot be driven, before it is left alone; 3 when left out
+---@field pause? integer samples between two tries of a link; 500 when left out
+---@field patience? integer samples without progress until it is held up; 20 when left out
+---@field beside? number links this near to a blocked one, in its direction, are doubted too [m]; 0 when left out
+
 ---@class meander.topology.wander.options
 ---@field map topologic_map the map that it fills
 ---@field samples? integer to gather before it ends; 5000 when left out
@@ -3388,6 +3503,7 @@ function meander.topology.whiskers(options) end
 ---@field wall_turn? number turn per sample towards a wall that was lost [rad]; 0.261799 when left out
 ---@field lookahead? number how far ahead it counts cells of the map [m]; 1 when left out
 ---@field crowd? number radius of the area in which it counts them [m]; 0.7 when left out
+---@field revisit? meander.topology.wander.options.revisit how it drives to doubted links
 
 ---A guide that explores: bouncing off, along walls, to where the map has few places. Fills the map.
 ---
@@ -3568,6 +3684,19 @@ function place_scores:add(map) end
 ---```
 ---@return table # table
 function place_scores:summary() end
+
+---How far the places of a map lie from where they truly are: root mean square.
+---
+---```lua
+---s = meander.sim.new { world = meander.world.open 'worlds/alice_loop.toml', robot = 'alice' }
+---m = meander.topology.map {}
+---p = meander.study.place_scores(s)
+---s:drive { navigator = meander.topology.whiskers {}, guide = meander.topology.wander { map = m, samples = 300 }, on_step = function() p:add(m) end }
+---print(p:map_error(m))
+---```
+---@param map topologic_map the map
+---@return number # the error in metres; 0 when no place ever won
+function place_scores:map_error(map) end
 
 ---Where the robot truly was on average when a place won.
 ---
