@@ -78,12 +78,16 @@ class PlannedRoute {
 
   /// With the margin, or without it.
   bool plan_by(const PlanningMap& map, const Vec2& at) {
-    return plan_with(map, at, options_.margin) || plan_with(map, at, 0);
+    Clearance clearance(map.solid);
+    if (!plan_with(map, clearance, at, options_.margin) && !plan_with(map, clearance, at, 0)) return false;
+    clearance_ = std::move(clearance);
+    return true;
   }
 
-  bool plan_with(const PlanningMap& map, const Vec2& at, double margin) {
+  bool plan_with(const PlanningMap& map, const Clearance& clearance, const Vec2& at, double margin) {
     const double radius = options_.robot_radius + margin;
-    const PlanningTask task{.start = nearest_free(map, at, radius), .targets = targets_, .robot_radius = radius};
+    const PlanningTask task{
+        .start = nearest_free(map, clearance, at, radius), .targets = targets_, .robot_radius = radius};
     const Plan plan = make_plan(problem_on(map, task), options_.planner);
     if (!plan.reason().empty()) {
       reason_ = "no path: " + plan.reason();
@@ -95,7 +99,6 @@ class PlannedRoute {
       return (a - path_.back()).norm() < (b - path_.back()).norm();
     });
     path_.push_back(*target);
-    clearance_.emplace(map.solid);
     now_ = 0;
     reach_ = options_.reach;
     asked_ = false;
@@ -103,9 +106,8 @@ class PlannedRoute {
   }
 
   /// A robot that touches a wall in the map stands in a blocked cell: the nearest free one within a metre is its start.
-  Vec2 nearest_free(const PlanningMap& map, const Vec2& at, double radius) const {
+  Vec2 nearest_free(const PlanningMap& map, const Clearance& clearance, const Vec2& at, double radius) const {
     const Grid<std::uint8_t>& solid = map.solid;
-    const Clearance clearance(solid);
     const double cells = radius / solid.frame.resolution;
     const double room = cells <= 0.5 ? 0.5 : std::sqrt(cells * cells + 0.5);
     const Cell here = solid.frame.cell(at);

@@ -15,7 +15,7 @@ struct PlanningStatistics {
   std::int64_t relaxations = 0;  ///< updates of a cell's value, all together
   std::int64_t dead_units = 0;   ///< reachable cells without a value that a path could follow
   double residual = 0;           ///< largest relative error of a cell's equation at the end
-  bool complete = true;          ///< false: ended early, as soon as the start had what it needs
+  bool complete = true;          ///< false: ended as soon as the start had what it needs, as searches do
   const char* solver = "";       ///< the one that ran, of planners that have several
 };
 

@@ -26,8 +26,8 @@ class NeuralReplanner {
   /// cancelled the next edit() solves anew.
   void edit(std::span<const CellEdit> edits, const Work& work = {});
 
-  PlanningResult landscape() const {
-    return tiles_ ? tiles_->landscape(problem_, {}) : landscape_of(net_, solution_, problem_);
+  PlanningResult landscape(const Work& work = {}) const {
+    return tiles_ ? tiles_->landscape(problem_, work) : landscape_of(net_, solution_, problem_, work);
   }
   const PlanningProblem& problem() const { return problem_; }
   /// Of the last edit.

@@ -41,12 +41,10 @@ void fields(Options& o, Visitor&& visit) {
 /// A map of probabilities that something stands there. What is not a number from 0 to 1 is unknown.
 PlanningMap map_from_occupancy(const Grid<float>& probability, const OccupancyOptions& options = {});
 
-/// What single precision can still add up along a way.
-inline constexpr double kLeastDifficulty = 0.001, kMostDifficulty = 1000, kMostDrag = 0.999;
-
+/// Blocks or frees the cells whose centres lie in the box.
 void set_solid(PlanningMap& map, const Box& box, bool solid);
-/// The same cells with a difficulty (or drag) for each, for the first edit of it. Out of range: an ArgumentError, and
-/// the map stays as it was.
+/// Gives the same cells a difficulty, or a drag; a map that has none gets 1, or no drag, everywhere else. Out of range:
+/// an ArgumentError, and the map stays as it was.
 void set_difficulty(PlanningMap& map, const Box& box, double difficulty);
 void set_drag(PlanningMap& map, const Box& box, const Vec2& drag);
 
@@ -63,7 +61,7 @@ struct PlanningTask {
 /// what is solid in the map of squares. Throws ArgumentError.
 PlanningProblem problem_on(const PlanningMap& map, const PlanningTask& task, const Work& work = {});
 
-/// Points of cells in metres, and back.
+/// A point of the grid, counted in cells, in metres.
 Vec2 in_metres(const GridFrame& frame, const Vec2& cells);
 
 }  // namespace meander

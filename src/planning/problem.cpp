@@ -50,6 +50,7 @@ double asked_by(const PlanningProblem& problem, Cell cell, const Eigen::Vector2f
 }  // namespace
 
 void validate(const PlanningProblem& problem) {
+  constexpr double kRounding = 1e-6;  // to single precision
   const Grid<std::uint8_t>& map = problem.blocked;
   if (map.cells().empty()) fail("map: at least one cell expected, got {} x {}", map.width(), map.height());
   if (problem.targets.empty()) fail("targets: at least one expected, got none");
@@ -61,9 +62,11 @@ void validate(const PlanningProblem& problem) {
     check_size("difficulty", problem.difficulty.width(), problem.difficulty.height(), map);
   if (!problem.drag.cells().empty()) check_size("drag", problem.drag.width(), problem.drag.height(), map);
   for (const float hard : problem.difficulty.cells())
-    if (!(hard > 0) || !std::isfinite(hard)) fail("difficulty: finite numbers > 0 expected, got {}", hard);
+    if (!(hard >= static_cast<float>(kLeastDifficulty) && hard <= static_cast<float>(kMostDifficulty)))
+      fail("difficulty: numbers from {} to {} expected, got {}", kLeastDifficulty, kMostDifficulty, hard);
   for (const Eigen::Vector2f& drag : problem.drag.cells())
-    if (!(drag.squaredNorm() < 1)) fail("drag: vectors shorter than 1 expected, got ({}, {})", drag.x(), drag.y());
+    if (!(static_cast<double>(drag.norm()) <= kMostDrag + kRounding))
+      fail("drag: vectors of length up to {} expected, got ({}, {})", kMostDrag, drag.x(), drag.y());
 }
 
 std::string bad_place_reason(const PlanningProblem& problem) {
@@ -139,7 +142,9 @@ Grid<std::uint8_t> blocked_for(const Grid<std::uint8_t>& solid, double radius, c
   if (radius <= 0.5) return solid;  // steps that keep corners have half a cell on all sides
   const int width = solid.width(), height = solid.height();
   const double reach = std::sqrt(radius * radius + 0.5);
-  const int rows = std::min(static_cast<int>(std::ceil(reach + 0.5)) - 1, height);
+  // The rim is a wall: in a map that is narrower than the robot nobody can stand anywhere.
+  if ((std::min(width, height) - 1) / 2 + 0.5 < reach) return Grid<std::uint8_t>(width, height, 1, solid.frame);
+  const int rows = static_cast<int>(std::ceil(reach + 0.5)) - 1;
   Grid<std::uint8_t> blocked(width, height, 0, solid.frame);
   std::vector<int> near(static_cast<std::size_t>(width));  // columns to the nearest solid cell of the row
   for (int y = -rows; y < height + rows; ++y) {

@@ -11,16 +11,20 @@
 
 namespace meander {
 
+/// What single precision can still add up along a way.
+inline constexpr double kLeastDifficulty = 0.001, kMostDifficulty = 1000, kMostDrag = 0.999;
+
 /// What every planner is given. Points and lengths are in cells of the grid; its frame leads to metres.
 struct PlanningProblem {
   Grid<std::uint8_t> blocked;   ///< not 0: the robot's centre must not be there
   std::vector<Cell> targets;    ///< at least one; the path leads to the one that is easiest to reach
   std::optional<Cell> start{};  ///< searches need it, landscapes do not
 
-  /// How hard a cell is: the cost of a way through it for each cell of length. Empty: 1 everywhere. Else > 0, finite.
+  /// How hard a cell is: the cost of a way through it for each cell of length. Empty: 1 everywhere. Else from
+  /// kLeastDifficulty to kMostDifficulty.
   Grid<float> difficulty{};
   /// Inclines and preferred ways: a step in the direction u costs 1 + drag . u times as much, so it is dear along the
-  /// vector and cheap against it. Empty: none. Else |drag| < 1.
+  /// vector and cheap against it. Empty: none. Else |drag| <= kMostDrag.
   Grid<Eigen::Vector2f> drag{};
 
   Corners corners = Corners::keep;
@@ -35,8 +39,8 @@ struct PlanningProblem {
   bool even() const { return difficulty.cells().empty() && drag.cells().empty(); }  ///< cost is length
 };
 
-/// Throws ArgumentError: an empty grid, no target, grids of different size, a difficulty that is not > 0 and finite, a
-/// drag that is not finite and < 1, a radius < 0.
+/// Throws ArgumentError: an empty grid, no target, grids of different size, a difficulty or a drag out of its
+/// range, a radius < 0.
 void validate(const PlanningProblem& problem);
 
 /// Why there cannot be a path, in words: the start or all targets outside of the map or in a wall. Empty otherwise.

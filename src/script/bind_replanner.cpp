@@ -74,7 +74,7 @@ Planned replan(Replanner& replanner, const Call& call) {
   auto plan = std::make_shared<Plan>(Plan{.planner = "neural_map",
                                           .kind = replanner.kind,
                                           .problem = std::move(now),
-                                          .result = replanner.neural.landscape()});
+                                          .result = replanner.neural.landscape(call.work())});
   plan->result.statistics.relaxations = replanner.neural.last_relaxations();
   plan->result.reason = no_path_reason(plan->problem, call.work());
   if (plan->problem.start) find_path(*plan, call.work());

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: the meander authors
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "planning/clearance.hpp"
 #include "planning/planners.hpp"
 #include "planning_maps.hpp"
@@ -39,14 +41,15 @@ TEST(PlanningProblem, MisuseIsAnError) {
   problem.robot_radius = 0;
   problem.difficulty = Grid<float>(2, 3, 1);
   EXPECT_EQ(complaint(problem), "difficulty: a grid of 3 x 3 cells expected, like the map, got 2 x 3");
-  for (const float bad : {0.0F, -1.0F, std::nanf(""), std::numeric_limits<float>::infinity()}) {
+  for (const float bad : {0.0F, -1.0F, 1e-40F, 1e5F, std::nanf(""), std::numeric_limits<float>::infinity()}) {
     problem.difficulty = Grid<float>(3, 3, 1);
     problem.difficulty[{2, 2}] = bad;
-    EXPECT_NE(complaint(problem).find("difficulty: finite numbers > 0 expected, got"), std::string::npos) << bad;
+    EXPECT_NE(complaint(problem).find("difficulty: numbers from 0.001 to 1000 expected, got"), std::string::npos)
+        << bad;
   }
   problem.difficulty = {};
   problem.drag = Grid<Eigen::Vector2f>(3, 3, Eigen::Vector2f(0, 1));
-  EXPECT_EQ(complaint(problem), "drag: vectors shorter than 1 expected, got (0, 1)");
+  EXPECT_EQ(complaint(problem), "drag: vectors of length up to 0.999 expected, got (0, 1)");
   problem.drag = Grid<Eigen::Vector2f>(3, 3, Eigen::Vector2f(0, std::nanf("")));
   EXPECT_NE(complaint(problem), "none");
   problem.drag = {};
@@ -135,6 +138,22 @@ TEST(PlanningProblem, StepsBetweenCellsThatAreLeftKeepTheWholeRobotClear) {
         }
       }
   }
+}
+
+TEST(PlanningProblem, NobodyStandsAnywhereInAMapThatIsNarrowerThanTheRobot) {
+  for (int width = 1; width < 9; ++width)
+    for (const double radius : {0.51, 0.9, 1.4, 1.5, 1.6, 2.4, 2.5, 3.4, 3.5, 7.0}) {
+      const Grid<std::uint8_t> solid(width, 7);
+      const Grid<std::uint8_t> blocked = blocked_for(solid, radius);
+      const double reach = std::sqrt(radius * radius + 0.5);
+      for (int y = 0; y < 7; ++y)
+        for (int x = 0; x < width; ++x) {
+          const double rim = std::min({x, width - 1 - x, y, 6 - y}) + 0.5;
+          EXPECT_EQ(blocked[Cell(x, y)] != 0, rim < reach) << width << " " << radius << " " << x << " " << y;
+        }
+    }
+  const Grid<std::uint8_t> large = blocked_for(Grid<std::uint8_t>(3000, 3000), 1e6);  // at once, not in minutes
+  EXPECT_EQ(std::count(large.cells().begin(), large.cells().end(), 1), 3000 * 3000);
 }
 
 TEST(PlanningProblem, OppositeStepsStandSideBySide) {

@@ -112,5 +112,18 @@ TEST(PlanningSearch, LengthsAreThePublishedOnes) {
   EXPECT_GT(compared, 100);
 }
 
+TEST(PlanningSearch, ManyTargetsCostNoMoreThanFew) {
+  PlanningProblem problem = random_problem(7, 400, 400, 0.2);
+  problem.targets.clear();
+  for (int i = 0; i < 20000; ++i) problem.targets.push_back({200 + i % 200, 300 + i / 200});
+  problem.start = Cell{3, 3};
+  problem.blocked[*problem.start] = 0;
+  const PlanningResult landscape = solve(problem, "distance_transform");
+  const PlanningResult search = solve(problem, "astar");
+  ASSERT_EQ(search.reason, landscape.reason);
+  EXPECT_NEAR(length_of(search.way), -landscape.value[*problem.start], 1e-9);
+  EXPECT_EQ(solve(problem, "theta_star").reason, "");
+}
+
 }  // namespace
 }  // namespace meander
