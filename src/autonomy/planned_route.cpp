@@ -18,8 +18,8 @@ constexpr double kWay = 0.5;      // [m]
 class PlannedRoute {
  public:
   PlannedRoute(std::shared_ptr<const PlanningMap> map, std::vector<Vec2> targets, const PlannedRouteOptions& options,
-               const std::optional<Platform>& robot)
-      : map_(std::move(map)), targets_(std::move(targets)), options_(options), robot_(robot) {
+               const std::optional<Platform>& robot, const StopToken* stop)
+      : map_(std::move(map)), targets_(std::move(targets)), options_(options), robot_(robot), stop_(stop) {
     if (robot_) unmapped_.emplace(*robot_, map_, options_.mapped);
   }
 
@@ -43,7 +43,7 @@ class PlannedRoute {
     return {.subgoal = subgoal(), .success = false, .reason = {}, .reached = reached_};
   }
 
-  void reset() { *this = PlannedRoute(map_, targets_, options_, robot_); }
+  void reset() { *this = PlannedRoute(map_, targets_, options_, robot_, stop_); }
 
  private:
   /// The map, what was heard beside it, and what the robot was trapped before.
@@ -76,9 +76,11 @@ class PlannedRoute {
     return true;
   }
 
+  Work work() const { return {.stop = stop_, .progress = {}}; }
+
   /// With the margin, or without it.
   bool plan_by(const PlanningMap& map, const Vec2& at) {
-    Clearance clearance(map.solid);
+    Clearance clearance(map.solid, work());
     if (!plan_with(map, clearance, at, options_.margin) && !plan_with(map, clearance, at, 0)) return false;
     clearance_ = std::move(clearance);
     return true;
@@ -88,7 +90,7 @@ class PlannedRoute {
     const double radius = options_.robot_radius + margin;
     const PlanningTask task{
         .start = nearest_free(map, clearance, at, radius), .targets = targets_, .robot_radius = radius};
-    const Plan plan = make_plan(problem_on(map, task), options_.planner);
+    const Plan plan = make_plan(problem_on(map, task, work()), options_.planner, {}, PathKind::gradient, work());
     if (!plan.reason().empty()) {
       reason_ = "no path: " + plan.reason();
       return false;
@@ -243,6 +245,7 @@ class PlannedRoute {
   std::vector<Vec2> targets_;
   PlannedRouteOptions options_;
   std::optional<Platform> robot_;
+  const StopToken* stop_;
   std::optional<UnmappedObstacles> unmapped_;
   double look_again_ = 0, tried_ = -kPatience;  ///< [s]
   Vec2 tried_at_{0, 0};
@@ -263,12 +266,12 @@ class PlannedRoute {
 }  // namespace
 
 Guide planned_route(std::shared_ptr<const PlanningMap> map, std::vector<Vec2> targets,
-                    const PlannedRouteOptions& options, const std::optional<Platform>& robot) {
+                    const PlannedRouteOptions& options, const std::optional<Platform>& robot, const StopToken* stop) {
   validate(options);
   check_planner(options.planner, map->difficulty.cells().empty() && map->drag.cells().empty());
   if (robot) validate(*robot);
   if (targets.empty()) fail("targets: at least one expected, got none");
-  auto route = std::make_shared<PlannedRoute>(std::move(map), std::move(targets), options, robot);
+  auto route = std::make_shared<PlannedRoute>(std::move(map), std::move(targets), options, robot, stop);
   return {.name = "planned_route",
           .next = [route](const Observation& o, const NavigatorStep& n) { return route->next(o, n); },
           .reset = [route] { route->reset(); }};

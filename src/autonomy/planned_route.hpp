@@ -48,7 +48,9 @@ void fields(Options& o, Visitor&& visit) {
 /// more, in the map, which may be edited, or for what the sonars hear beside it, a new path is planned. So it is when
 /// the navigator reports that it is trapped; what is just ahead is taken as blocked then. The guide sees the map it was
 /// given, in the odometry frame, and observations; it hears by the ring of `robot` (none: not at all).
+/// On large maps a plan takes seconds: `stop`, which lives as long as the guide, ends it with Cancelled.
 Guide planned_route(std::shared_ptr<const PlanningMap> map, std::vector<Vec2> targets,
-                    const PlannedRouteOptions& options = {}, const std::optional<Platform>& robot = std::nullopt);
+                    const PlannedRouteOptions& options = {}, const std::optional<Platform>& robot = std::nullopt,
+                    const StopToken* stop = nullptr);
 
 }  // namespace meander

@@ -46,7 +46,9 @@ std::shared_ptr<Guide> route(const PlannedRouteTable& table, const Call& call) {
     robot = table.robot->value;
     options.robot_radius = robot->body.radius;
   }
-  return std::make_shared<Guide>(planned_route(map_of(table.source, call.work()), std::move(targets), options, robot));
+  const Work work = call.work();
+  return std::make_shared<Guide>(
+      planned_route(map_of(table.source, work), std::move(targets), options, robot, work.stop));
 }
 
 }  // namespace

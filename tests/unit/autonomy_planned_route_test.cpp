@@ -187,5 +187,14 @@ TEST(PlanningMaps, HexagonsKeepClearOfSquares) {
   }
 }
 
+TEST(PlannedRoute, APlanIsStoppedWhenAsked) {
+  StopToken stop;
+  const Guide guide = planned_route(two_rooms(), {{7, 3}}, {.robot_radius = 0.25}, std::nullopt, &stop);
+  stop.request();
+  EXPECT_THROW(walk(guide, {1, 3}, drives), Cancelled);
+  stop.clear();
+  EXPECT_TRUE(walk(guide, {1, 3}, drives).end.success);
+}
+
 }  // namespace
 }  // namespace meander
