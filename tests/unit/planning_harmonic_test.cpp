@@ -40,6 +40,8 @@ TEST(PlanningHarmonic, SaysWhereItDies) {
   PlanningProblem problem{.blocked = Grid<std::uint8_t>(700, 1), .targets = {{0, 0}}};
   const PlanningResult result = harmonic(problem);
   EXPECT_GT(result.statistics.dead_units, 100);
+  EXPECT_NE(result.value[Cell(537, 0)], kNoValue);
+  EXPECT_EQ(result.value[Cell(538, 0)], kNoValue);
   EXPECT_EQ(result.value[Cell(699, 0)], kNoValue);
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "planning/neural_solution.hpp"
@@ -266,6 +267,20 @@ TEST(NeuralMap, DeadUnitsAreSeenInTheLandscape) {
       value[lost] = before;
       EXPECT_EQ(dead_units(problem, value), 0);
     }
+}
+
+/// What plain doubles would make of it: all below the least of them is 0.
+TEST(NeuralMap, NeedsItsExponents) {
+  constexpr double kLeast = -745.13;  // its logarithm
+  const PlanningProblem open{.blocked = open_floor(1000, 500), .targets = {{0, 0}}};
+  const Grid<double> value = neural_map(open).value;
+  const auto lost = std::count_if(value.cells().begin(), value.cells().end(), [](double v) { return v < kLeast; });
+  EXPECT_NEAR(static_cast<double>(lost) / 500000, 0.386, 0.001);
+  EXPECT_GT(value[Cell(669, 0)], kLeast);
+  EXPECT_LT(value[Cell(670, 0)], kLeast);
+  const Grid<double> corridor = neural_map({.blocked = open_floor(700, 1), .targets = {{0, 0}}}).value;
+  EXPECT_GT(corridor[Cell(324, 0)], kLeast);
+  EXPECT_LT(corridor[Cell(325, 0)], kLeast);
 }
 
 }  // namespace
