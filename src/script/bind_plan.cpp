@@ -150,7 +150,7 @@ void bind_plan(lua_State* L) {
                           .returns = "the value; nil where there is none",
                           .example = EXAMPLE_PLAN "print(p:value(2, 2))"})
       .method<&landscape>(Doc{.name = "landscape",
-                              .text = "All values, the lowest row first; -inf where there is none.",
+                              .text = "All values in single precision, the lowest row first; -inf where there is none.",
                               .returns = "a matrix",
                               .example = EXAMPLE_PLAN "print(p:landscape().rows)"})
       .property<&path>(PropertyDoc{.name = "path",
