@@ -17,9 +17,8 @@ constexpr double kLeastAhead = 0.35;  ///< whether in sight or not: nearer, the 
 constexpr double kProgress = 0.1;     ///< [m]
 constexpr double kBehind = 10;        ///< ways are looked for so far beyond the straight distance [m]
 constexpr double kDear = 4;           ///< and they may be so much dearer than they are long
-constexpr double kTriedInVain = 5;    ///< evidence for a wall where the robot did not get through
-
-constexpr double kTriedAgain = 30;  ///< the same when it is tried there again
+constexpr double kTriedInVain = 5;    ///< evidence for a wall where the robot did not get through: a weak one
+constexpr double kTriedAgain = 30;    ///< the same when it is tried there again
 
 }  // namespace
 
@@ -43,12 +42,13 @@ SonarExplorer::SonarExplorer(const Vec2& goal, const Platform& platform, const S
 
 void SonarExplorer::begin() {
   explorer_.begin();
+  sight_.begin();
   doors_.begin(map_, explorer_.state().run, options_.explorer.recheck);
   way_.begin();
   look_ = {};
   set_down_ = false;
   toward_ = Toward::nothing;
-  blocked_at_ = Vec2(1e9, 1e9);
+  stops_.clear();
   walked_ = told_ = checked_ = 0;
   reached_ = blocked_ = 0;
   ending_ = Ending::driving;
@@ -94,7 +94,7 @@ void SonarExplorer::sense(const Observation& observation) {
   field_.clear();
   nearest_ = std::numeric_limits<double>::infinity();
   free_space_.forget();
-  sight_ = MapSight(options_.ports, options_.sight);  // cells have moved
+  sight_.move_cells();
   perception_ = MapPerception(options_.ports);
 }
 
@@ -158,6 +158,8 @@ void SonarExplorer::decide(bool blocked) {
     percept.blocked = blocked;
     if (by_profile()) perceive_by_profile(percept);
     told_ = walked_;
+    if (blocked && toward_ == Toward::indicator && explorer_.decision().out.port < 0)  // [DG] section 2, item 6
+      sight_.close(explorer_.graph(), explorer_.decision().out.indicator, *explorer_.decision().to);
     const Decision& decision = explorer_.step(percept);
     toward_ = Toward::nothing;
     if (decision.ending == Ending::reached && (at_ - goal_).norm() > options_.explorer.tolerance) {
@@ -238,7 +240,8 @@ bool SonarExplorer::is_blocked(const NavigatorStep& navigator, double time) {
          time - since_ > kRoundabout * options_.patience;
 }
 
-/// Evidence for a wall across the way, where the robot's front is.
+/// A wall across the way, where the robot's front is, whatever the map said before: so no link leads there any more
+/// ([DG] section 2, item 6). Where it is stopped twice in a run, what its sonars tell is not to be believed.
 void SonarExplorer::block_ahead() {
   ++blocked_;
   const Vec2 way = ahead_ - at_;
@@ -246,10 +249,11 @@ void SonarExplorer::block_ahead() {
   const Vec2 along = way / way.norm(), across(-along.y(), along.x());
   const double step = map_.space().resolution();
   const bool again =
-      (std::exchange(blocked_at_, at_) - at_).norm() < kSnap;  // what it heard there is not to be believed
+      std::any_of(stops_.begin(), stops_.end(), [&](const Vec2& stop) { return (stop - at_).norm() < kSnap; });
+  stops_.push_back(at_);
   for (int i = -2; i <= 2; ++i)
-    map_.add(map_.space().frame().cell(at_ + (map_.reach() + step) * along + i * step * across),
-             again ? kTriedAgain : kTriedInVain);
+    map_.raise(map_.space().frame().cell(at_ + (map_.reach() + step) * along + i * step * across),
+               again ? kTriedAgain : kTriedInVain);
 }
 
 /// Over cells that are known to be free; on a second look and where D* Lite plans, over unknown ones too. Empty: no way

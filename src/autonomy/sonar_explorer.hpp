@@ -158,8 +158,8 @@ class SonarExplorer {
   double walked_ = 0, told_ = 0, checked_ = 0;  ///< [m]
   double nearest_ = 0, since_ = 0;              ///< to the aim by the way [m], time of the last progress [s]
   Vec2 anchor_{0, 0};
-  Vec2 blocked_at_{0, 0};
-  double moved_ = 0;  ///< when it was last as far from the anchor as counts as motion [s]
+  std::vector<Vec2> stops_;  ///< where it was stopped in this run
+  double moved_ = 0;         ///< when it was last as far from the anchor as counts as motion [s]
   int reached_ = 0, blocked_ = 0;
   Ending ending_ = Ending::driving;
   std::string reason_;

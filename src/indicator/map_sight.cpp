@@ -22,8 +22,30 @@ std::optional<int> sight_between(const IndicatorGraph& graph, IndicatorId a, Ind
 }  // namespace
 
 MapSight::MapSight(const MapPerceptionOptions& perception, const MapSightOptions& options)
-    : window_(perception.window), perception_(perception), options_(options) {
+    : ports_(perception), perception_(perception), options_(options) {
   validate(options);
+}
+
+void MapSight::begin() {
+  told_.clear();
+  closed_.clear();
+}
+
+void MapSight::move_cells() {
+  told_.clear();
+  perception_ = MapPerception(ports_);
+}
+
+void MapSight::close(const IndicatorGraph& graph, IndicatorId from, IndicatorId to) {
+  if (const std::optional<int> link = sight_between(graph, from, to))
+    closed_.push_back({from, to, graph.links()[static_cast<std::size_t>(*link)].length});
+}
+
+bool MapSight::is_closed(IndicatorId a, IndicatorId b, double way) const {
+  return std::any_of(closed_.begin(), closed_.end(), [&](const Closed& closed) {
+    const bool same = (closed.a == a && closed.b == b) || (closed.a == b && closed.b == a);
+    return same && way <= closed.length + options_.keep;
+  });
 }
 
 void MapSight::look(IndicatorGraph& graph, IndicatorId here, const ConfigurationSpace& map, const Vec2& goal) {
@@ -45,7 +67,7 @@ void MapSight::look(IndicatorGraph& graph, IndicatorId here, const Configuration
 bool MapSight::still_holds(const Told& told, IndicatorId id, const Vec2& place, const ConfigurationSpace& map) const {
   if (told.id != id || told.indicators != ids_.size()) return false;
   const Cell at = map.frame().cell(place);
-  const int far = static_cast<int>(std::max(window_, options_.link) / map.resolution()) + 1;
+  const int far = static_cast<int>(std::max(ports_.window, options_.link) / map.resolution()) + 1;
   return map.changed({at.x - far, at.y - far}, {at.x + far, at.y + far}) <= told.version;
 }
 
@@ -74,7 +96,7 @@ void MapSight::tell_links(IndicatorGraph& graph, IndicatorId id, const Configura
     if (other == id || (to - from).norm() > options_.link) continue;
     const double way = field_.at(map.frame().cell(to));
     const std::optional<int> known = sight_between(graph, id, other);
-    if (!std::isfinite(way)) {
+    if (!std::isfinite(way) || is_closed(id, other, way)) {
       if (known) graph.unlink(*known);
     } else if (!known) {
       graph.link({id}, {other}, std::max(way, map.resolution()));

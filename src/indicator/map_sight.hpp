@@ -27,6 +27,14 @@ class MapSight {
 
   void look(IndicatorGraph& graph, IndicatorId here, const ConfigurationSpace& map, const Vec2& goal);
 
+  /// A run begins: nothing counts as told, nothing as closed.
+  void begin();
+  /// The link by sight was driven and found blocked: in this run none as short is told between the two, whatever the
+  /// map says; a longer one goes by another way.
+  void close(const IndicatorGraph& graph, IndicatorId from, IndicatorId to);
+  /// The map has grown: cells are others.
+  void move_cells();
+
  private:
   /// What an indicator was told last.
   struct Told {
@@ -34,17 +42,24 @@ class MapSight {
     std::uint64_t version = 0;   ///< of the map
     std::size_t indicators = 0;  ///< how many there were
   };
+  /// What was found blocked.
+  struct Closed {
+    IndicatorId a, b;
+    double length = 0;  ///< [m]
+  };
+  bool is_closed(IndicatorId a, IndicatorId b, double way) const;
   bool still_holds(const Told& told, IndicatorId id, const Vec2& place, const ConfigurationSpace& map) const;
   void tell_ports(IndicatorGraph& graph, std::size_t which, const ConfigurationSpace& map, const Vec2& goal);
   void tell_links(IndicatorGraph& graph, IndicatorId id, const ConfigurationSpace& map);
 
-  double window_;  ///< of the perception [m]
+  MapPerceptionOptions ports_;
   MapPerception perception_;
   MapSightOptions options_;
   GeodesicField field_;
   std::vector<IndicatorId> ids_;
   std::vector<Vec2> places_;
   std::vector<Told> told_;  ///< by slot
+  std::vector<Closed> closed_;
 };
 
 /// Where a port is that a map told: `reach` from its indicator as the crow flies.

@@ -143,6 +143,10 @@ void SonarOccupancy::add(Cell cell, double evidence) {
   space_.set(cell, known_by(value, options_.suspect));
 }
 
+void SonarOccupancy::raise(Cell cell, double evidence) {
+  if (this->evidence(cell) < evidence) add(cell, evidence - this->evidence(cell));
+}
+
 void SonarOccupancy::forget(Cell cell) { add(cell, -evidence(cell)); }
 
 ConfigurationSpace SonarOccupancy::without_weak() const {

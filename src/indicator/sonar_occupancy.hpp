@@ -61,8 +61,10 @@ class SonarOccupancy {
   double evidence(Cell cell) const { return evidence_.at(cell, 0); }
   /// A wall for which too little speaks to give a goal up.
   bool weak(Cell cell) const { return space_.known(cell) == Known::wall && evidence(cell) <= options_.hard; }
-  /// Adds evidence for a wall: for what was felt, or tried in vain.
+  /// Adds evidence for a wall: for what was felt.
   void add(Cell cell, double evidence);
+  /// From now on there is at least so much evidence for a wall: where it was tried in vain.
+  void raise(Cell cell, double evidence);
   /// Nothing is known of the cell any more.
   void forget(Cell cell);
   /// The same with what is weak taken away.
