@@ -14,6 +14,7 @@ local options = require "meander.arguments" {
   { "--world NAMES", default = "alice_loop", help = "alice_loop, alice_rooms, with commas, or all" },
   { "--change NAMES", default = "removed", help = "removed, added, passing (put there, taken away half-way to the end), none, with commas, or all" },
   { "--forgetting NAMES", default = "doubt", help = "doubt (contacts suspend links), none, oracle, with commas, or all" },
+  { "--explore NAMES", default = "any", help = "any (walls, straight on, few places), doubted (drives to doubted links, too), with commas, or all" },
   { "--samples N", default = 5000, least = 100, most = 1000000, help = "to gather" },
   { "--after N", default = 3500, least = 0, help = "samples until the wall comes or goes" },
   { "--goals N", default = 20, least = 0, most = 1000, help = "drives per seed at the end; 0: none" },
@@ -59,7 +60,7 @@ local function through_gate(robot, gate)
   return found
 end
 
-local function trial(name, change, forgetting, seed)
+local function trial(name, change, forgetting, explore, seed)
   local seen, moments, before = { contacts = 0 }, {}, nil
   local gate
   local blocked = {} -- links that were suspended when a passing wall went
@@ -96,6 +97,7 @@ local function trial(name, change, forgetting, seed)
   end
   local robot = alice.explore {
     world = name, seed = seed, samples = options.samples, each = each,
+    wander = explore == "doubted" and { revisit = { share = 0.5 } } or nil,
     map = forgetting ~= "doubt" and { doubt = { suspend = 0 } } or nil,
     begin = function(world)
       gate = gate_of(world)
@@ -142,9 +144,13 @@ end
 for _, name in ipairs(candidates.chosen(options.world, { "alice_loop", "alice_rooms" }, "world")) do
   for _, change in ipairs(candidates.chosen(options.change, { "removed", "added", "passing", "none" }, "change")) do
     for _, forgetting in ipairs(candidates.chosen(options.forgetting, { "doubt", "none", "oracle" }, "rule of forgetting")) do
-      local trials = alice.trials(options, function(seed) return trial(name, change, forgetting, seed) end)
-      local words = { { "world", name }, { "change", change }, { "forgetting", forgetting }, { "n", #trials } }
-      alice.print(options, words, trials, figures)
+      for _, explore in ipairs(candidates.chosen(options.explore, { "any", "doubted" }, "way to explore")) do
+        local trials = alice.trials(options, function(seed) return trial(name, change, forgetting, explore, seed) end)
+        local words = {
+          { "world", name }, { "change", change }, { "forgetting", forgetting }, { "explore", explore }, { "n", #trials },
+        }
+        alice.print(options, words, trials, figures)
+      end
     end
   end
 end

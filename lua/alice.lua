@@ -8,20 +8,23 @@ local report = require "meander.report"
 local alice = { worlds = { "alice_loop", "alice_rooms", "alice_grid" } }
 
 --- Explores a world. `options`: world (a name), seed, samples, correction (false: dead reckoning alone), drift ('alice'),
---- map (options of the map), begin(world) called first, each(sample, robot) called after every cycle. Returns the robot: {world, sim, map, scores}.
+--- map (options of the map), wander (options of the guide), begin(world) called first, each(sample, robot) called after every cycle. Returns the robot: {world, sim, map, scores}.
 function alice.explore(options)
   local world = meander.world.open("worlds/" .. options.world .. ".toml")
   if options.begin then options.begin(world) end
   local settings = {}
   for key, value in pairs(options.map or {}) do settings[key] = value end
   if options.correction == false then settings.correlation = { gain = 0, turn_gain = 0 } end
+  local wander = { samples = options.samples, seed = options.seed }
+  for key, value in pairs(options.wander or {}) do wander[key] = value end
   local sim = meander.sim.new { world = world, robot = "alice", drift = options.drift or "alice", seed = options.seed }
   local robot = { world = world, sim = sim, map = meander.topology.map(settings) }
   robot.scores = meander.study.place_scores(sim)
+  wander.map = robot.map
   local sample = 0
   sim:drive {
     navigator = meander.topology.whiskers { patience = 1e6 },
-    guide = meander.topology.wander { map = robot.map, samples = options.samples, seed = options.seed },
+    guide = meander.topology.wander(wander),
     time_limit = 1e6, record_every = 0,
     on_step = function()
       sample = sample + 1

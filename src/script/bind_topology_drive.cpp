@@ -74,11 +74,15 @@ void bind_topology_drive(lua_State* L) {
               .example = "print(meander.topology.whiskers {}.name)"})
       .function<&wander>(Doc{
           .name = "wander",
-          .text = "A guide that explores: bouncing off, along walls, to where the map has few places. Fills the map.",
-          .args = {{"options", "the map, how many samples, the seed of its choices"}},
+          .text =
+              "A guide that explores: bouncing off, along walls, to where the map has few places. Fills the map. With "
+              "revisit.share it also drives to links that contacts speak against, and tries to pass them.",
+          .args = {{"options", "the map, how many samples, the seed of its choices, how doubted links are revisited"}},
           .returns = "the guide",
           .errors = "no map; a number out of range",
-          .example = EXAMPLE_TOPOLOGY "print(m)"})
+          .example =
+              EXAMPLE_TOPOLOGY "s:drive { navigator = meander.topology.whiskers {}, guide = meander.topology.wander { "
+                               "map = m, samples = 100, revisit = { share = 0.5 } } } print(m)"})
       .function<&route>(
           Doc{.name = "route",
               .text = "A guide over the links of a map to one of its places. It believes to be there only when the "

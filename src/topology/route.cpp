@@ -7,9 +7,12 @@
 #include <queue>
 
 namespace meander::topology {
+namespace {
 
-std::optional<std::vector<int>> route(const CellPool& cells, int from, int to, const RouteOptions& options,
-                                      const CellPairs& avoided) {
+/// The cheapest way to the first cell that is wanted.
+template <class Wanted>
+std::optional<std::vector<int>> cheapest(const CellPool& cells, int from, const Wanted& wanted,
+                                         const RouteOptions& options, const CellPairs& avoided) {
   const auto avoids = [&](int a, int b) {
     return std::any_of(avoided.begin(), avoided.end(),
                        [&](const auto& pair) { return pair == std::pair(a, b) || pair == std::pair(b, a); });
@@ -20,11 +23,15 @@ std::optional<std::vector<int>> route(const CellPool& cells, int from, int to, c
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   cost[static_cast<std::size_t>(from)] = 0;
+  int to = -1;
   for (open.emplace(0, from); !open.empty();) {
     const auto [so_far, cell] = open.top();
     open.pop();
-    if (cell == to) break;
     if (so_far > cost[static_cast<std::size_t>(cell)]) continue;
+    if (wanted(cell)) {
+      to = cell;
+      break;
+    }
     for (const Link& link : cells[cell].links) {
       const double length = (cells[link.to].position - cells[cell].position).norm();
       const double next = so_far + length * (1 + options.doubtful * (1 - link.weight)) + options.per_link +
@@ -36,11 +43,24 @@ std::optional<std::vector<int>> route(const CellPool& cells, int from, int to, c
       open.emplace(next, link.to);
     }
   }
-  if (from != to && before[static_cast<std::size_t>(to)] < 0) return std::nullopt;
+  if (to < 0) return std::nullopt;
   std::vector<int> way{to};
   while (way.back() != from) way.push_back(before[static_cast<std::size_t>(way.back())]);
   std::reverse(way.begin(), way.end());
   return way;
+}
+
+}  // namespace
+
+std::optional<std::vector<int>> route(const CellPool& cells, int from, int to, const RouteOptions& options,
+                                      const CellPairs& avoided) {
+  return cheapest(
+      cells, from, [to](int cell) { return cell == to; }, options, avoided);
+}
+
+std::optional<std::vector<int>> route_to_nearest(const CellPool& cells, int from,
+                                                 const std::function<bool(int)>& wanted, const RouteOptions& options) {
+  return cheapest(cells, from, wanted, options, {});
 }
 
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,6 +30,11 @@ void fields(Options& o, Visitor&& visit) {
 using CellPairs = std::vector<std::pair<int, int>>;
 std::optional<std::vector<int>> route(const CellPool& cells, int from, int to, const RouteOptions& options = {},
                                       const CellPairs& avoided = {});
+
+/// The same to whichever of the cells that `wanted` names is cheapest to reach.
+std::optional<std::vector<int>> route_to_nearest(const CellPool& cells, int from,
+                                                 const std::function<bool(int)>& wanted,
+                                                 const RouteOptions& options = {});
 
 /// The cell whose place is nearest; -1 in an empty map. Looks at all.
 int nearest_place(const CellPool& cells, const Vec2& at);

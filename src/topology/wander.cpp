@@ -9,7 +9,7 @@
 namespace meander::topology {
 namespace {
 
-enum class Behaviour { bounce, wall, sparse };
+enum class Behaviour { bounce, wall, sparse, doubted };
 
 /// Directions tried when it looks for few cells.
 constexpr int kDirections = 12;
@@ -19,7 +19,11 @@ constexpr int kLookEvery = 10;
 class Wander {
  public:
   Wander(std::shared_ptr<TopologicMap> map, const WanderOptions& options)
-      : map_(std::move(map)), options_(options), stream_(options.seed, "wander"), contacts_(map_->whiskers()) {
+      : map_(std::move(map)),
+        options_(options),
+        stream_(options.seed, "wander"),
+        contacts_(map_->whiskers()),
+        revisit_(map_, options.revisit) {
     validate(options);
     if (options.longest < options.shortest)
       fail("option 'longest': at least 'shortest' ({}) expected, got {}", options.shortest, options.longest);
@@ -31,7 +35,9 @@ class Wander {
     contacts_.update(seen, went_);
     if (samples_++ >= options_.samples)
       return {std::nullopt, true, fmt::format("{} samples gathered", options_.samples), 0};
-    if (--left_ <= 0) change_behaviour();
+    if (--left_ <= 0 && behaviour_ != Behaviour::doubted) change_behaviour();
+    if (behaviour_ == Behaviour::doubted)
+      if (const auto place = doubted_place()) return to_doubted(*place, seen.odometry.pose);
     const double own = seen.odometry.pose.heading;  // ways are kept in the odometry frame, contacts in the robot's
     went_ = choose(wrap_angle(way_ - own));
     way_ = own + *went_;
@@ -42,9 +48,36 @@ class Wander {
 
  private:
   void change_behaviour() {
+    const double share = options_.revisit.share;
+    if (share > 0 && stream_.chance(share) && revisit_.begin()) {
+      behaviour_ = Behaviour::doubted;
+      left_ = options_.longest;
+    } else {
+      change_to_any();
+    }
+  }
+
+  void change_to_any() {
     behaviour_ = static_cast<Behaviour>(stream_.below(3));
     left_ = options_.shortest + stream_.below(options_.longest - options_.shortest + 1);
     side_ = stream_.chance(0.5) ? 1 : -1;
+  }
+
+  /// In the frame of the map: one doubted link after the other. Where none is left, or time is up after one, another
+  /// behaviour.
+  std::optional<Vec2> doubted_place() {
+    auto place = revisit_.next(contacts_);
+    while (!place && left_ > 0 && revisit_.begin()) place = revisit_.next(contacts_);
+    if (!place) change_to_any();
+    return place;
+  }
+
+  GuideStep to_doubted(const Vec2& place, const Pose2& odometry) {
+    const Vec2 target = inverse(map_->map_from_odometry()) * place;
+    const Vec2 way = target - odometry.position();
+    way_ = angle_of(way.y(), way.x());
+    went_.reset();  // the navigator knows what holds it
+    return {Subgoal{target, 0.02, {}, {}}, false, {}, 0};
   }
 
   /// Bearings in the robot's frame from here on.
@@ -56,6 +89,8 @@ class Wander {
         return follow_wall(way);
       case Behaviour::sparse:
         return left_ % kLookEvery == 0 ? to_few_cells(way) : bounce(way);
+      case Behaviour::doubted:
+        return way;
     }
     return way;
   }
@@ -100,6 +135,7 @@ class Wander {
   WanderOptions options_;
   Stream stream_;
   WhiskerContacts contacts_;
+  Revisit revisit_;
   Behaviour behaviour_ = Behaviour::bounce;
   int samples_ = 0, left_ = 0, side_ = 1;
   bool seen_wall_ = false;
