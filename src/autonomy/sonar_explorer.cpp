@@ -17,8 +17,7 @@ constexpr double kLeastAhead = 0.35;  ///< whether in sight or not: nearer, the 
 constexpr double kProgress = 0.1;     ///< [m]
 constexpr double kBehind = 10;        ///< ways are looked for so far beyond the straight distance [m]
 constexpr double kDear = 4;           ///< and they may be so much dearer than they are long
-constexpr double kTriedInVain = 5;    ///< evidence for a wall where the robot did not get through: a weak one
-constexpr double kTriedAgain = 30;    ///< the same when it is tried there again
+constexpr int kTakenBack = 3;         ///< so often in a run it tries again where it was stopped
 
 }  // namespace
 
@@ -48,7 +47,8 @@ void SonarExplorer::begin() {
   look_ = {};
   set_down_ = false;
   toward_ = Toward::nothing;
-  stops_.clear();
+  tried_.begin();
+  taken_back_ = 0;
   walked_ = told_ = checked_ = 0;
   reached_ = blocked_ = 0;
   ending_ = Ending::driving;
@@ -200,10 +200,21 @@ void SonarExplorer::drive_to(Toward toward, const Vec2& place) {
   since_ = std::numeric_limits<double>::infinity();  // from the next cycle on
 }
 
-/// [DG+] Ports alone do not say that a goal is out of reach: the whole map has to, and weak walls are looked at first.
+/// [DG+] Ports alone do not say that a goal is out of reach: the whole map has to, weak walls are looked at first, and
+/// where the robot did not get on is no wall.
 void SonarExplorer::look_again() {
   if (look_.count() < options_.second_looks) {
-    if (const auto place = look_.next(map_, at_, goal_, options_.arrive)) {
+    auto place = look_.next(map_, at_, goal_, options_.arrive);
+    if (!place && tried_.take_back(map_)) {
+      look_.reopen();
+      place = look_.next(map_, at_, goal_, options_.arrive);
+      if (place && ++taken_back_ > kTakenBack)
+        return end(Ending::trapped,
+                   fmt::format("stopped {} times: no way is left on which the robot got on, and whether "
+                               "it could get on where it was stopped is not settled",
+                               blocked_));
+    }
+    if (place) {
       if (options_.strategy == ExplorationStrategy::indicators) explorer_.resume();
       return drive_to(*place == goal_ ? Toward::goal : Toward::look, *place);
     }
@@ -241,19 +252,10 @@ bool SonarExplorer::is_blocked(const NavigatorStep& navigator, double time) {
 }
 
 /// A wall across the way, where the robot's front is, whatever the map said before: so no link leads there any more
-/// ([DG] section 2, item 6). Where it is stopped twice in a run, what its sonars tell is not to be believed.
+/// ([DG] section 2, item 6).
 void SonarExplorer::block_ahead() {
   ++blocked_;
-  const Vec2 way = ahead_ - at_;
-  if (!(way.norm() > 1e-6)) return;
-  const Vec2 along = way / way.norm(), across(-along.y(), along.x());
-  const double step = map_.space().resolution();
-  const bool again =
-      std::any_of(stops_.begin(), stops_.end(), [&](const Vec2& stop) { return (stop - at_).norm() < kSnap; });
-  stops_.push_back(at_);
-  for (int i = -2; i <= 2; ++i)
-    map_.raise(map_.space().frame().cell(at_ + (map_.reach() + step) * along + i * step * across),
-               again ? kTriedAgain : kTriedInVain);
+  tried_.stop(map_, at_, ahead_);
 }
 
 /// Over cells that are known to be free; on a second look and where D* Lite plans, over unknown ones too. Empty: no way
@@ -263,7 +265,7 @@ std::vector<Cell> SonarExplorer::way_to_aim() {
   if (by_dstar_lite()) return way_by_dstar_lite();
   const bool far = toward_ == Toward::frontier || toward_ == Toward::look, unknown = toward_ == Toward::look;
   field_.spread(space, ends(), far ? 1e9 : kDear * ((aim_ - at_).norm() + kBehind), unknown, WayCost::room,
-                unknown ? &look_.closed_before(space) : nullptr);
+                unknown ? &look_.closed_before(space) : nullptr, space.frame().cell(at_));
   const auto here = nearest_reached(space, field_, at_, kSnap);
   return here ? way_down(field_, *here) : std::vector<Cell>{};
 }

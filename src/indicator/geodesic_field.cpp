@@ -12,6 +12,7 @@ namespace {
 constexpr int kParts = 4;      ///< a step in the open costs so many of its parts where room counts
 constexpr int kMost = 28;      ///< a step in a crowd at most
 constexpr int kCrowding = 40;  ///< and more by so many where all around is closed
+constexpr int kOn = 40;        ///< it goes on for so many steps in the open when it has come where it was to come
 
 }  // namespace
 
@@ -35,17 +36,18 @@ void GeodesicField::make_room(const ConfigurationSpace& space, std::span<const C
 }
 
 void GeodesicField::spread(const ConfigurationSpace& space, std::span<const Cell> starts, double limit, bool unknown,
-                           WayCost cost, const Grid<std::uint8_t>* closed) {
+                           WayCost cost, const Grid<std::uint8_t>* closed, std::optional<Cell> until) {
   const bool room = cost == WayCost::room;
   const int open = room ? kParts : 1, round = kDiagonal * (room ? kMost : 1) + 1;  // no step is longer than the queue
   unit_ = space.resolution() / (kStraight * open);
-  const int most = static_cast<int>(std::min(limit / unit_, 1e8));
+  int most = static_cast<int>(std::min(limit / unit_, 1e8));
   const int reach = std::min(most / (kStraight * open) + 1, std::max(space.width(), space.height()));
   make_room(space, starts, reach);
   buckets_.resize(static_cast<std::size_t>(std::max(round, static_cast<int>(buckets_.size()))));
   const auto passable = [&](Cell cell) {
     return (unknown ? space.open(cell) : space.free(cell)) && !(closed && closed->at(cell, 1));
   };
+  const auto passes = [&](Cell cell) { return steps_at(cell) >= 0 || passable(cell); };  // what is reached does
   const auto parts = [&](Cell cell) { return room ? std::min(kMost, open + space.crowded(cell, kCrowding)) : 1; };
   int waiting = 0;
   for (const Cell start : starts) {
@@ -60,13 +62,15 @@ void GeodesicField::spread(const ConfigurationSpace& space, std::span<const Cell
       --waiting;
       if (steps(cell) != now || now > most) continue;  // a shorter way came later
       reached_.push_back(cell);
+      if (cell == until) most = std::min(most, now + kOn * kStraight * open);
       for (const CellMove& move : kCellMoves) {
         const Cell next{cell.x + move.dx, cell.y + move.dy};
-        if (!passable(next)) continue;
+        const int known = steps_at(next);
+        if ((known >= 0 && known <= now + move.length * open) || !passes(next)) continue;
         const int way = now + move.length * parts(next);
         if (way > most) continue;
-        if (move.length == kDiagonal && !(passable({cell.x, next.y}) && passable({next.x, cell.y}))) continue;
-        if (steps_at(next) >= 0 && steps_at(next) <= way) continue;
+        if (move.length == kDiagonal && !(passes({cell.x, next.y}) && passes({next.x, cell.y}))) continue;
+        if (known >= 0 && known <= way) continue;
         steps(next) = way;
         buckets_[static_cast<std::size_t>(way % round)].push_back(next);
         ++waiting;

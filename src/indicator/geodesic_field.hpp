@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the meander authors
 #pragma once
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,9 +24,10 @@ class GeodesicField {
               WayCost cost = WayCost::length) {
     spread(space, std::span(&start, 1), limit, unknown, cost);
   }
-  /// From the nearest of several cells.
+  /// From the nearest of several cells. With `until` it ends shortly beyond that cell: nothing else is different.
   void spread(const ConfigurationSpace& space, std::span<const Cell> starts, double limit, bool unknown = false,
-              WayCost cost = WayCost::length, const Grid<std::uint8_t>* closed = nullptr);
+              WayCost cost = WayCost::length, const Grid<std::uint8_t>* closed = nullptr,
+              std::optional<Cell> until = std::nullopt);
   /// Nothing is reached any more: cells have moved.
   void clear();
 

@@ -29,8 +29,11 @@ void GoalWays::update(const ConfigurationSpace& map, const Vec2& goal) {
       for (int y = top; y < top + kBlock; ++y)
         for (int x = left; x < left + kBlock; ++x) look(map, {x, y});
     }
+  const bool same = !first && squares_version_ == squares_->version() && goal_ == goal;
   version_ = map.version();
+  squares_version_ = squares_->version();
   goal_ = goal;
+  if (same) return;  // cells have changed, no square has
   field_.spread(*squares_, squares_->frame().cell(goal), 1e9);
 }
 

@@ -20,7 +20,7 @@ class GoalWays {
   void look(const ConfigurationSpace& map, Cell square);
 
   std::optional<ConfigurationSpace> squares_;
-  std::uint64_t version_ = 0;  ///< of the map
+  std::uint64_t version_ = 0, squares_version_ = 0;  ///< of the map, of its squares
   Vec2 goal_{0, 0};
   GeodesicField field_;
 };

@@ -88,6 +88,24 @@ TEST(GeodesicField, RoomCostsNoLessThanLengthAndReachesTheSame) {
   }
 }
 
+TEST(GeodesicField, EndsBeyondACellWithTheSameWayFromThere) {
+  Stream random(4, "until");
+  for (int map = 0; map < 30; ++map) {
+    ConfigurationSpace space(80, 60, {0.05, {}}, 0.06, 0.2);
+    for (int i = 0; i < 80 * 60; ++i) space.set({i % 80, i / 80}, random.chance(0.02) ? Known::wall : Known::free);
+    GeodesicField all, some;
+    for (const WayCost cost : {WayCost::length, WayCost::room})
+      for (int i = 0; i < 20; ++i) {
+        const Cell start{random.below(80), random.below(60)}, until{random.below(80), random.below(60)};
+        all.spread(space, std::span(&start, 1), 1e9, false, cost);
+        some.spread(space, std::span(&start, 1), 1e9, false, cost, nullptr, until);
+        EXPECT_EQ(some.at(until), all.at(until));
+        EXPECT_EQ(way_down(some, until), way_down(all, until));
+        EXPECT_LE(some.reached().size(), all.reached().size());
+      }
+  }
+}
+
 TEST(GeodesicField, TakesNoMoreRoomThanTheMapAndIsEmptyWhenItIsCleared) {
   ConfigurationSpace map(200'000, 3, {0.05, {}}, 0.01);
   for (int x = 0; x < map.width(); ++x) map.set({x, 1}, Known::free);
