@@ -11,6 +11,7 @@ local options = require "meander.arguments" {
   { "--seed N", default = 2003, help = "of the labyrinth and of all noise" },
   { "--size N", default = 6, help = "cells along each side" },
   { "--loops P", default = 0.2, help = "share of inner walls that are taken away" },
+  { "--limit S", default = 3000.0, above = 0, help = "simulated seconds of a run" },
   { "--json", help = "one JSON object instead of text" },
   { "--out DIR", default = "out", help = "folder of the pictures" },
 }
@@ -42,7 +43,7 @@ local runs = {}
 for run = 1, 7 do
   local closed = run == 4 or run == 5
   cells:set_open(door[1], door[2], door[3], not closed)
-  course.run { world = cells:world(), explorer = explorer, seed = options.seed * 10 + run }
+  course.run { world = cells:world(), explorer = explorer, seed = options.seed * 10 + run, limit = options.limit }
   local shortest = cells:shortest()
   runs[run] = { closed = closed, ending = explorer.ending, walked = explorer.walked, ratio = explorer.walked / shortest, blocked = explorer.blocked }
   if not options.json then
