@@ -14,7 +14,7 @@ local options = require "meander.arguments" {
   { "--world NAMES", default = "alice_loop", help = "alice_loop, alice_rooms, with commas, or all" },
   { "--change NAMES", default = "removed", help = "removed, added, passing (put there, taken away half-way to the end), none, with commas, or all" },
   { "--forgetting NAMES", default = "doubt", help = "doubt (contacts suspend links), none, oracle, with commas, or all" },
-  { "--explore NAMES", default = "any", help = "any (walls, straight on, few places), doubted (drives to doubted links, too), with commas, or all" },
+  { "--explore NAMES", default = "any", help = "any (walls, straight on, few places), doubted (drives to doubted links, too), with commas, or all, which also tells the difference in pairs" },
   { "--samples N", default = 5000, least = 100, most = 1000000, help = "to gather" },
   { "--after N", default = 3500, least = 0, help = "samples until the wall comes or goes" },
   { "--goals N", default = 20, least = 0, most = 1000, help = "drives per seed at the end; 0: none" },
@@ -141,15 +141,38 @@ local function trial(name, change, forgetting, explore, seed)
   return result
 end
 
+-- What the second way to explore has more than the first, seed by seed.
+local function paired(first, second)
+  local differences = {}
+  for i, trial in ipairs(second) do
+    differences[i] = {}
+    for _, figure in ipairs(figures) do
+      if trial[figure] and first[i][figure] then differences[i][figure] = trial[figure] - first[i][figure] end
+    end
+  end
+  return differences
+end
+
+local function line_of(words, explore, trials)
+  local line = { table.unpack(words) }
+  line[#line + 1] = { "explore", explore }
+  line[#line + 1] = { "n", #trials }
+  return line
+end
+
+local explorers = candidates.chosen(options.explore, { "any", "doubted" }, "way to explore")
 for _, name in ipairs(candidates.chosen(options.world, { "alice_loop", "alice_rooms" }, "world")) do
   for _, change in ipairs(candidates.chosen(options.change, { "removed", "added", "passing", "none" }, "change")) do
     for _, forgetting in ipairs(candidates.chosen(options.forgetting, { "doubt", "none", "oracle" }, "rule of forgetting")) do
-      for _, explore in ipairs(candidates.chosen(options.explore, { "any", "doubted" }, "way to explore")) do
-        local trials = alice.trials(options, function(seed) return trial(name, change, forgetting, explore, seed) end)
-        local words = {
-          { "world", name }, { "change", change }, { "forgetting", forgetting }, { "explore", explore }, { "n", #trials },
-        }
-        alice.print(options, words, trials, figures)
+      local words = { { "world", name }, { "change", change }, { "forgetting", forgetting } }
+      local by = {}
+      for _, explore in ipairs(explorers) do
+        by[explore] = alice.trials(options, function(seed) return trial(name, change, forgetting, explore, seed) end)
+        alice.print(options, line_of(words, explore, by[explore]), by[explore], figures)
+      end
+      if by.any and by.doubted then
+        local differences = paired(by.any, by.doubted)
+        alice.print(options, line_of(words, "doubted - any", differences), differences, figures)
       end
     end
   end

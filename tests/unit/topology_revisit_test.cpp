@@ -10,6 +10,10 @@
 #include "topology/wander.hpp"
 #include "topology/whisker_drive.hpp"
 
+namespace meander {
+std::size_t allocations();  // allocation_counter.cpp
+}
+
 namespace meander::topology {
 namespace {
 
@@ -170,6 +174,26 @@ TEST(Revisit, ExploringWithItIsTheSameEachTimeAndWithoutAShareAsBefore) {
   };
   EXPECT_EQ(text(0.5), text(0.5));
   EXPECT_NE(text(0.5), text(0));
+}
+
+TEST(Revisit, AllocatesNothingOnItsWay) {
+  SquareRoom room;
+  const auto map = made_map(room, 2);
+  Revisit revisit(map, {});
+  WhiskerContacts contacts(24);
+  int driven = 0;
+  for (int tries = 0; tries < 20 && revisit.begin(); ++tries)
+    for (std::optional<Vec2> place = Vec2(0, 0); place; ++driven) {
+      map->step(room.seen());
+      contacts.update(room.seen(), {});
+      const std::size_t before = allocations();
+      place = revisit.next(contacts);
+      if (place) {
+        ASSERT_EQ(allocations(), before);
+        room.go(inverse(map->map_from_odometry()) * *place);
+      }
+    }
+  EXPECT_GT(driven, 20);
 }
 
 TEST(Revisit, ARobotThatDoesNotObeyIsGivenUp) {
