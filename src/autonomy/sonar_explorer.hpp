@@ -10,6 +10,7 @@
 #include "indicator/profile_way.hpp"
 #include "indicator/second_look.hpp"
 #include "indicator/sonar_occupancy.hpp"
+#include "indicator/tried_in_vain.hpp"
 #include "robot/contracts.hpp"
 
 namespace meander {
@@ -140,6 +141,7 @@ class SonarExplorer {
   SonarExplorerOptions options_;
   SonarOccupancy map_;
   DoorDoubt doors_;
+  TriedInVain tried_;
   MapSight sight_;
   MapPerception perception_;
   ProfileWay way_;
@@ -158,9 +160,8 @@ class SonarExplorer {
   double walked_ = 0, told_ = 0, checked_ = 0;  ///< [m]
   double nearest_ = 0, since_ = 0;              ///< to the aim by the way [m], time of the last progress [s]
   Vec2 anchor_{0, 0};
-  std::vector<Vec2> stops_;  ///< where it was stopped in this run
-  double moved_ = 0;         ///< when it was last as far from the anchor as counts as motion [s]
-  int reached_ = 0, blocked_ = 0;
+  double moved_ = 0;  ///< when it was last as far from the anchor as counts as motion [s]
+  int reached_ = 0, blocked_ = 0, taken_back_ = 0;
   Ending ending_ = Ending::driving;
   std::string reason_;
 };

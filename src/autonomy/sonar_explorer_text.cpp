@@ -19,7 +19,7 @@ constexpr std::size_t kMostBytes = 256u << 20;
 std::string to_text(const SonarExplorer& explorer) {
   return fmt::format("meander {} 1\n", kKind) + goal_line(explorer.goal()) + option_lines(explorer.options()) +
          option_lines(explorer.platform(), "robot.") + occupancy_lines(explorer.map()) + explorer.doors_.lines() +
-         state_lines(explorer.explorer());
+         explorer.tried_.lines() + state_lines(explorer.explorer());
 }
 
 std::shared_ptr<SonarExplorer> sonar_explorer_from_text(const std::string& text, const std::string& path) {
@@ -35,6 +35,7 @@ std::shared_ptr<SonarExplorer> sonar_explorer_from_text(const std::string& text,
   auto explorer = std::make_shared<SonarExplorer>(goal, robot, options);
   read_occupancy_lines(lines, explorer->map_);
   explorer->doors_.read(lines, explorer->map_);
+  explorer->tried_.read(lines);
   read_state_lines(lines, explorer->explorer_);
   return explorer;
 }

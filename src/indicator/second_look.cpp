@@ -53,8 +53,8 @@ const Grid<std::uint8_t>& SecondLook::close(const ConfigurationSpace& map, int l
     closed_ = Grid<std::uint8_t>(map.width(), map.height(), 0);
   const GridFrame& frame = map.frame();
   const int far = static_cast<int>(kSame / frame.resolution) + 1;
-  for (int i = 0; i < looks; ++i) {
-    const Vec2& place = looked_[static_cast<std::size_t>(i)];
+  for (std::size_t i = first_; i < static_cast<std::size_t>(std::max(looks, 0)); ++i) {
+    const Vec2& place = looked_[i];
     const Cell at = frame.cell(place);
     for (int y = at.y - far; y <= at.y + far; ++y)
       for (int x = at.x - far; x <= at.x + far; ++x)

@@ -17,6 +17,8 @@ class SecondLook {
   /// that this comes to an end. The goal itself: all of the way is free. None: no way is left, whatever is still
   /// unknown.
   std::optional<Vec2> next(SonarOccupancy& map, const Vec2& at, const Vec2& goal, double arrive);
+  /// The map has become another: what was looked at before closes no way any more.
+  void reopen() { first_ = looked_.size(); }
   int count() const { return static_cast<int>(looked_.size()); }
   /// Marks what is closed to the way to the place of the last look: what is still in doubt at the places before.
   const Grid<std::uint8_t>& closed_before(const ConfigurationSpace& map) { return close(map, count() - 1); }
@@ -29,6 +31,7 @@ class SecondLook {
   GeodesicField field_;
   Grid<std::uint8_t> closed_;
   std::vector<Vec2> looked_;
+  std::size_t first_ = 0;  ///< that counts
 };
 
 }  // namespace meander
