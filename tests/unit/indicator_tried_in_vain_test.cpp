@@ -36,10 +36,11 @@ TEST(TriedInVain, TakenBackTheMapIsAsItWasAndNothingIsLeftToTakeBack) {
     EXPECT_FALSE(tried.take_back(map));
     for (int i = 0; i < 12; ++i) tried.stop(map, place(), place());
     EXPECT_NE(evidence_of(map), before);
-    TextLines lines(tried.lines(), "text");
+    const std::string text = tried.lines();
+    TextLines lines(text, "text");
     TriedInVain read;
     read.read(lines);
-    EXPECT_EQ(read.lines(), tried.lines());
+    EXPECT_EQ(read.lines(), text);
     EXPECT_TRUE(read.take_back(map));
     const std::vector<float> after = evidence_of(map);
     for (std::size_t i = 0; i < before.size(); ++i) ASSERT_NEAR(after[i], before[i], 1e-5) << seed;
