@@ -11,6 +11,12 @@
 local json = require "meander.json"
 local report = require "meander.report"
 
+-- All navigators drive by sonar.
+local robots = {}
+for _, name in ipairs(meander.robot.platforms()) do
+  robots[#robots + 1] = meander.robot.platform(name).sonar.count > 0 and name or nil
+end
+
 local options = require "meander.arguments" {
   about = "plans on a map, drives by sonar; of two points the first is the start",
   { "--seed N", default = 7, least = 0, most = 1000000000, help = "seed of all random streams; the first of several" },
@@ -23,7 +29,7 @@ local options = require "meander.arguments" {
   { "--index N", default = 0, least = 0, help = "which world of a BARN file" },
   { "--navigator NAME", default = "polar", values = meander.autonomy.navigators(), help = "who drives" },
   { "--planner NAME", default = "neural_map", values = meander.planning.planners(), help = "who plans" },
-  { "--robot NAME", default = "nomad200", values = meander.robot.platforms(), help = "kind of robot" },
+  { "--robot NAME", default = "nomad200", values = robots, help = "kind of robot" },
   { "--sonar NAME", default = "nomad", values = meander.sensor.sonars(), help = "sonar preset" },
   { "--hidden N", default = 0, least = 0, most = 100, help = "boxes of 30 cm on the path that the map does not show" },
   { "--gap M", default = 0.9, above = 0, help = "a way of this width is left beside them" },
@@ -48,6 +54,7 @@ end
 local original, notes = report.try(report.failure, nil, meander.world.import, options.MAP, {
   resolution = options.resolution, unknown = options.unknown, index = options.index,
 })
+report.try(report.failure, nil, meander.make_folder, options.out)
 for _, line in ipairs(notes) do io.stderr:write(line, "\n") end
 
 local radius = meander.robot.platform(options.robot).body.radius
@@ -147,9 +154,10 @@ if options.seeds == 1 then
   local run, figures, task = drive(options.seed)
   meander.render.save(task.plan, report.path(options, "drive_planned_plan.svg"))
   report.run("drive_planned", run, options, figures)
-  if not options.json and figures.shortest then
-    print(("%.2f m driven, %.2f x the shortest way; %d boxes that the map does not show"):format(run.length, figures.ratio,
-      figures.hidden))
+  if not options.json then
+    local result = not run.success and "the goal is not reached: " .. run.reason
+      or figures.ratio and ("%.2f x the shortest way"):format(figures.ratio) or "no shortest way is known"
+    print(("%.2f m driven, %s; %d boxes that the map does not show"):format(run.length, result, figures.hidden))
   end
   os.exit(0, true)
 end
@@ -166,8 +174,9 @@ for seed = options.seed, options.seed + options.seeds - 1 do
     figures.seed, figures.length, figures.time, figures.reason = seed, run.length, run.time, run.reason
     print(json.encode(figures))
   else
-    print(("%d: (%.1f, %.1f) to (%.1f, %.1f): %s; %.1f m, %.2f x the shortest way, %d contacts"):format(seed, task.start[1],
-      task.start[2], task.goal[1], task.goal[2], run.reason, run.length, figures.ratio or 0 / 0, run.fault_contacts))
+    local ratio = run.success and figures.ratio and (", %.2f x the shortest way"):format(figures.ratio) or ""
+    print(("%d: (%.1f, %.1f) to (%.1f, %.1f): %s; %.1f m%s, %d contacts"):format(seed, task.start[1], task.start[2],
+      task.goal[1], task.goal[2], run.reason, run.length, ratio, run.fault_contacts))
   end
 end
 local share, least, most = meander.study.wilson(reached, n)
@@ -178,6 +187,7 @@ if options.json then
     fault_contacts = contacts, ratio_median = median, hidden = hidden / n,
   })
 else
-  print(("%d of %d reached (%.0f %%, %.0f to %.0f %%), %d contacts by own fault, median %.2f x the shortest way, %.1f boxes each"):format(
-    reached, n, 100 * share, 100 * least, 100 * most, contacts, median, hidden / n))
+  local way = #ratios > 0 and (", median %.2f x the shortest way"):format(median) or ""
+  print(("%d of %d reached (%.0f %%, %.0f to %.0f %%), %d contacts by own fault%s, %.1f boxes each"):format(
+    reached, n, 100 * share, 100 * least, 100 * most, contacts, way, hidden / n))
 end

@@ -144,14 +144,16 @@ end
 local function tell(line, results)
   for i, result in ipairs(results) do
     local pair = pairs_of[i]
-    print(("(%.1f, %.1f) to (%.1f, %.1f): %s after %.1f m, %.2f x the shortest way%s%s"):format(
+    local told = result.arrived and ("%.2f x the shortest way"):format(result.ratio) or result.reason
+    print(("(%.1f, %.1f) to (%.1f, %.1f): %s after %.1f m; %s%s"):format(
       pair.start[1], pair.start[2], pair.goal[1], pair.goal[2], result.false_arrival and "not where it says" or result.ending,
-      result.way, result.ratio, result.picture and "; " .. result.picture or "", result.arrived and "" or "; " .. result.reason))
+      result.way, told, result.picture and "; " .. result.picture or ""))
   end
   local share, low, high = meander.study.wilson(line.reached, line.pairs)
-  print(("%s: %d of %d reached (%.1f %%, 95 %% interval %.1f to %.1f), median %.2f (%.2f to %.2f) x the shortest way; contacts %d, by its own motion %d"):format(
-    line.explorer, line.reached, line.pairs, 100 * share, 100 * low, 100 * high, line.ratio_median, line.ratio_interval[1],
-    line.ratio_interval[2], line.contacts, line.fault_contacts))
+  local way = line.reached == 0 and "" or (", median %.2f (%.2f to %.2f) x the shortest way"):format(
+    line.ratio_median, line.ratio_interval[1], line.ratio_interval[2])
+  print(("%s: %d of %d reached (%.1f %%, 95 %% interval %.1f to %.1f)%s; contacts %d, by its own motion %d"):format(
+    line.explorer, line.reached, line.pairs, 100 * share, 100 * low, 100 * high, way, line.contacts, line.fault_contacts))
 end
 
 -- Where both arrived: mean of the ways' difference over the shortest, its interval, how many pairs.

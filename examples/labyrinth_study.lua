@@ -35,8 +35,9 @@ local options = require "meander.arguments" {
   { "--goal STATE", default = "open", values = { "open", "walled" }, help = "walled: no way leads to it" },
   { "--jobs N", default = 0, least = 0, most = 1024, help = "labyrinths at a time; 0: one per core" },
   { "--json", help = "one JSON object per explorer instead of text" },
-  { "--out DIR", default = "out", help = "not used: nothing is drawn" },
+  { "--out DIR", default = "", help = "folder of a table of all labyrinths, labyrinth_study.csv; left out: none" },
 }
+local file = options.out ~= "" and report.try(report.failure, nil, report.path, options, "labyrinth_study.csv")
 local by_graph = options.sensor == "graph"
 local absent = by_graph and { oracle = "is 1 without sensors; --sensor sonar" } or {}
 local explorers = course.named(options.explorer, absent, report.usage_error)
@@ -87,8 +88,8 @@ local function walk(name, seed)
   end
   result.us = (os.clock() - began) * 1e6 / result.decisions
   result.ending, result.reason, result.coverage = last.ending, last.reason, last.coverage
-  result.corridors = 0
   if explorer then
+    result.corridors = 0
     local _, length = explorer:route()
     result.optimal = shortest ~= nil and length ~= nil and math.abs(length - shortest) < 1e-6
     result.indicators = #explorer:graph()
@@ -205,7 +206,7 @@ local function summary(name, results)
     rooms = options.rooms, corridor = options.corridor, drift = options.drift, perception = options.perception,
     stated = count(function(r) return not r.shortest and r.ending == "no_passable_direction" end),
     coverage = average "coverage",
-    walked_over_corridors = (mean(results, function(r) return not r.shortest and r.runs[1] / r.corridors end)),
+    walked_over_corridors = (mean(results, function(r) return not r.shortest and r.corridors and r.runs[1] / r.corridors end)),
   }
   for _, key in ipairs { "contacts", "fault_contacts", "blocked", "looks" } do line[key] = average(key) end
   for run = 1, 3 do
@@ -241,8 +242,9 @@ local function tell(line, results)
   print(("%d %s labyrinths of %d x %d cells, loops %g: %s"):format(line.n, options.kind, options.size, options.size, options.loops, name))
   if options.goal == "walled" then
     print("  unreachable, and stated so in " .. share(line.stated, line.n))
-    print("  walked    " .. known("%.2f x the length of all corridors", line.walked_over_corridors)
-      .. known("; on %.4f of the cells in reach", line.coverage))
+    local walked = known("%.2f x the length of all corridors; ", line.walked_over_corridors)
+      .. known("on %.4f of the cells in reach", line.coverage)
+    print("  walked    " .. (walked:gsub("; $", "")))
   else
     print("  reached   in " .. share(line.n - line.failed, line.n))
     for i, result in ipairs(results) do
@@ -255,9 +257,10 @@ local function tell(line, results)
     local runs = {}
     for run = 1, 3 do
       local ends = line[("r%d_interval"):format(run)]
-      runs[run] = known("run %d %.2f (%.2f to %.2f)", run, line["r" .. run], ends[1], ends[2])
+      local text = known("run %d %.2f (%.2f to %.2f)", run, line["r" .. run], ends[1], ends[2])
+      runs[#runs + 1] = text ~= "" and text or nil
     end
-    print("  way       over the shortest, " .. table.concat(runs, "  "))
+    print("  way       " .. (#runs > 0 and "over the shortest, " .. table.concat(runs, "  ") or "none arrived"))
     print("  route     " .. known("the shortest in the end in %.1f %%; ", 100 * line.optimal)
       .. (line.runs_to_proof == line.runs_to_proof and ("proven after %.1f runs"):format(line.runs_to_proof) or "none proven"))
   end
@@ -282,9 +285,25 @@ local function compare(first, second)
   return difference, low, high, #a, longer, shorter
 end
 
+-- The table: one row for each labyrinth and explorer.
+local columns = {
+  "explorer", "seed", "ending", "false_arrival", "shortest", "run1", "run2", "run3", "runs_to_proof", "contacts", "fault_contacts", "reason",
+}
+local rows = { table.concat(columns, ",") }
+local function add_rows(name, results)
+  for i, r in ipairs(results) do
+    local row = {
+      name, seeds[i], r.ending, r.false_arrival and 1 or 0, r.shortest or "", r.runs[1] or "", r.runs[2] or "", r.runs[3] or "",
+      r.proof or "", r.contacts or "", r.fault_contacts or "", '"' .. r.reason:gsub('"', '""') .. '"',
+    }
+    rows[#rows + 1] = table.concat(row, ",")
+  end
+end
+
 local first
 for _, name in ipairs(explorers) do
   local results = trials(name)
+  add_rows(name, results)
   local line = summary(name, results)
   local difference, low, high, n, longer, shorter
   if first then difference, low, high, n, longer, shorter = compare(first, results) end
@@ -303,4 +322,11 @@ for _, name in ipairs(explorers) do
     end
   end
   first = first or results
+end
+if file then
+  local out, why = io.open(file, "w")
+  if not out then report.failure(why) end
+  out:write(table.concat(rows, "\n"), "\n")
+  out:close()
+  if not options.json then print("table: " .. file) end
 end

@@ -114,6 +114,7 @@ local function nanoseconds_a_cell(map, planner, target, start)
   return (os.clock() - began) / count * 1e9, plan
 end
 
+local pictures = {}
 local function compare(name, map)
   local target, starts = tasks(map)
   local cells
@@ -136,7 +137,8 @@ local function compare(name, map)
         length = length + way.measures.length / start[2].measures.length
         turning, clearance = turning + way.measures.turning, clearance + way.measures.clearance_mean
         if planner == "neural_map" and path == "gradient" and n == 1 then
-          meander.render.save(way, report.path(options, "plan_compare_" .. name .. ".svg"))
+          pictures[#pictures + 1] = report.path(options, "plan_compare_" .. name .. ".svg")
+          meander.render.save(way, pictures[#pictures])
         end
       end
     end
@@ -156,6 +158,10 @@ local function compare(name, map)
   end
 end
 
+if options.maps == "-" and #options.rest == 0 then report.usage_error "--maps -: a FILE.map expected" end
+-- A file that cannot be read is told before the first map is solved.
+local files = {}
+for i, file in ipairs(options.rest) do files[i] = report.try(report.failure, nil, meander.planning.read_map, file) end
 if not options.json then
   print(("%-12s %-18s %-9s %4s %8s %8s %8s %9s %8s %6s"):format("map", "planner", "path", "n", "length", "turning",
     "clear", "ns/cell", "relax", "dead"))
@@ -163,7 +169,5 @@ end
 if options.maps ~= "-" then
   for name in options.maps:gmatch "[^,]+" do compare(name, own_map(name)) end
 end
-for _, file in ipairs(options.rest) do
-  compare(file:match("([^/]*)%.map$") or file, report.try(report.failure, nil, meander.planning.read_map, file))
-end
-if not options.json then print("pictures: " .. options.out .. "/plan_compare_*.svg") end
+for i, file in ipairs(options.rest) do compare(file:match("([^/]*)%.map$") or file, files[i]) end
+if not options.json and #pictures > 0 then print("pictures: " .. table.concat(pictures, " ")) end
