@@ -36,6 +36,7 @@ SonarExplorer::SonarExplorer(const Vec2& goal, const Platform& platform, const S
   if (by_profile()) return;
   explorer_.perceive = [this](IndicatorGraph& graph, IndicatorId here) {
     sight_.look(graph, here, map_.space(), goal_);
+    link_driven(graph, here);
   };
 }
 
@@ -46,6 +47,7 @@ void SonarExplorer::begin() {
   way_.begin();
   look_ = {};
   set_down_ = false;
+  from_.reset();
   toward_ = Toward::nothing;
   tried_.begin();
   taken_back_ = 0;
@@ -172,6 +174,13 @@ void SonarExplorer::decide(bool blocked) {
     blocked = !decision.back && !follow(decision);
     if (!blocked && !decision.back) return;
   }
+}
+
+/// [DG] section 2, item 2: it is linked with the indicator before, even where the map does not see so far.
+void SonarExplorer::link_driven(IndicatorGraph& graph, IndicatorId here) {
+  if (from_) sight_.drove(graph, *from_, here, walked_ - from_walked_);
+  from_ = here;
+  from_walked_ = walked_;
 }
 
 /// False: the robot stands where the way begins that it is to take.

@@ -122,6 +122,7 @@ class SonarExplorer {
   void decide_without_graph(bool blocked);
   void give_up_frontier(const Vec2& place);
   bool decide_by_frontier();
+  void link_driven(IndicatorGraph& graph, IndicatorId here);
   void look_again();
   void drive_to(Toward toward, const Vec2& place);
   bool is_blocked(const NavigatorStep& navigator, double time);
@@ -152,6 +153,8 @@ class SonarExplorer {
   FreeSpaceWay free_space_;
   std::vector<Vec2> places_;
 
+  std::optional<IndicatorId> from_;  ///< where it decided last
+  double from_walked_ = 0;           ///< when it was there [m]
   Vec2 at_{0, 0};
   bool set_down_ = false;
   Toward toward_ = Toward::nothing;

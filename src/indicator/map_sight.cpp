@@ -59,15 +59,15 @@ void MapSight::look(IndicatorGraph& graph, IndicatorId here, const Configuration
     Told& told = told_[ids_[i].slot];
     if (still_holds(told, ids_[i], places_[i], map)) continue;
     tell_ports(graph, i, map, goal);
-    tell_links(graph, ids_[i], map);
-    told = {ids_[i], map.version(), ids_.size()};
+    const double reach = tell_links(graph, ids_[i], map);
+    told = {ids_[i], map.version(), ids_.size(), reach};
   }
 }
 
 bool MapSight::still_holds(const Told& told, IndicatorId id, const Vec2& place, const ConfigurationSpace& map) const {
   if (told.id != id || told.indicators != ids_.size()) return false;
   const Cell at = map.frame().cell(place);
-  const int far = static_cast<int>(std::max(ports_.window, options_.link) / map.resolution()) + 1;
+  const int far = static_cast<int>(std::max(ports_.window, told.reach) / map.resolution()) + 1;
   return map.changed({at.x - far, at.y - far}, {at.x + far, at.y + far}) <= told.version;
 }
 
@@ -88,22 +88,42 @@ void MapSight::tell_ports(IndicatorGraph& graph, std::size_t which, const Config
   graph.set_ports(id, std::move(ports));
 }
 
-void MapSight::tell_links(IndicatorGraph& graph, IndicatorId id, const ConfigurationSpace& map) {
+/// So far a link of this length is looked for: what is seen `link` far, what was driven a little farther than it was
+/// long, for a way over cells has corners.
+double MapSight::reach(double length) const {
+  constexpr double kCorners = 1.1;
+  return length > options_.link ? kCorners * length + options_.keep : options_.link;
+}
+
+/// Gives how far links were looked for [m].
+double MapSight::tell_links(IndicatorGraph& graph, IndicatorId id, const ConfigurationSpace& map) {
   const Vec2 from = graph.get(id).position;
-  field_.spread(map, map.frame().cell(from), options_.link);
+  double far = options_.link;
+  for (const int link : graph.get(id).links)
+    far = std::max(far, reach(graph.links()[static_cast<std::size_t>(link)].length));
+  field_.spread(map, map.frame().cell(from), far);
   for (const IndicatorId other : ids_) {
     const Vec2 to = graph.get(other).position;
-    if (other == id || (to - from).norm() > options_.link) continue;
-    const double way = field_.at(map.frame().cell(to));
+    if (other == id || (to - from).norm() > far) continue;
     const std::optional<int> known = sight_between(graph, id, other);
-    if (!std::isfinite(way) || is_closed(id, other, way)) {
+    const double length = known ? graph.links()[static_cast<std::size_t>(*known)].length : 0;
+    const double way = field_.at(map.frame().cell(to));
+    if (way > reach(length) || is_closed(id, other, way)) {
       if (known) graph.unlink(*known);
     } else if (!known) {
       graph.link({id}, {other}, std::max(way, map.resolution()));
-    } else if (graph.links()[static_cast<std::size_t>(*known)].length != way && way > 0) {
+    } else if (length != way && way > 0) {
       graph.set_length(*known, way);
     }
   }
+  return far;
+}
+
+void MapSight::drove(IndicatorGraph& graph, IndicatorId from, IndicatorId to, double walked) {
+  if (from == to || sight_between(graph, from, to) || is_closed(from, to, walked)) return;
+  graph.link({from}, {to}, std::max(walked, (graph.get(to).position - graph.get(from).position).norm()));
+  for (const IndicatorId end : {from, to})
+    if (end.slot < told_.size()) told_[end.slot] = {};  // the map is asked about it when either is decided at again
 }
 
 Vec2 port_position(const IndicatorGraph& graph, const PortRef& ref) {

@@ -32,6 +32,9 @@ class MapSight {
   /// The link by sight was driven and found blocked: in this run none as short is told between the two, whatever the
   /// map says; a longer one goes by another way.
   void close(const IndicatorGraph& graph, IndicatorId from, IndicatorId to);
+  /// The robot has driven from one to the other, over so much way [m]: they are linked, however far the map sees, until
+  /// it shows that no way leads there any more.
+  void drove(IndicatorGraph& graph, IndicatorId from, IndicatorId to, double walked);
   /// The map has grown: cells are others.
   void move_cells();
 
@@ -41,16 +44,18 @@ class MapSight {
     IndicatorId id;
     std::uint64_t version = 0;   ///< of the map
     std::size_t indicators = 0;  ///< how many there were
+    double reach = 0;            ///< of its links [m]
   };
   /// What was found blocked.
   struct Closed {
     IndicatorId a, b;
     double length = 0;  ///< [m]
   };
+  double reach(double length) const;
   bool is_closed(IndicatorId a, IndicatorId b, double way) const;
   bool still_holds(const Told& told, IndicatorId id, const Vec2& place, const ConfigurationSpace& map) const;
   void tell_ports(IndicatorGraph& graph, std::size_t which, const ConfigurationSpace& map, const Vec2& goal);
-  void tell_links(IndicatorGraph& graph, IndicatorId id, const ConfigurationSpace& map);
+  double tell_links(IndicatorGraph& graph, IndicatorId id, const ConfigurationSpace& map);
 
   MapPerceptionOptions ports_;
   MapPerception perception_;

@@ -64,6 +64,23 @@ describe("an explorer in a small labyrinth", function()
     expect(function() sim:drive { pilots = { both, { navigator = "polar", guide = e:guide() } } } end):throws "explorer is at work"
   end)
 
+  it("knows a route to the goal that it has reached, in every run", function()
+    local function check(world, goal)
+      local e = meander.indicator.sonar_explorer(course.explorer { goal = goal })
+      for run = 1, 2 do
+        course.run { world = world, explorer = e, seed = run }
+        expect(e.ending):is("reached")
+        expect((e:route() or 0) > 0):is_true()
+      end
+    end
+    local office = meander.world.open "worlds/office.toml"
+    for _, goal in ipairs { { 8, 4.5 }, { 6, 4.5 }, { 4, 4.5 }, { 1.4, 6.8 }, { 11.4, 2.9 }, { 5, 5 } } do check(office, goal) end
+    for seed = 1, 4 do
+      local cells = meander.indicator.labyrinth { size = 5, loops = 0.1, seed = seed }
+      check(cells:world(), cells.goal)
+    end
+  end)
+
   it("says so when the goal is walled in", function()
     local cells = meander.indicator.labyrinth { size = 3, loops = 0.2, seed = 2 }
     cells:set_open(3, 3, "west", false)
