@@ -94,7 +94,8 @@ void bind_ending(lua_State* L) {
   Type<SonarExplorer>(L)
       .property<&ending>(PropertyDoc{.name = "ending",
                                      .text = "'driving', or how the last run ended: 'reached', "
-                                             "'no_passable_direction', 'trapped', 'budget'.",
+                                             "'no_passable_direction', 'trapped', 'budget'. A drive that is cut off "
+                                             "leaves it at 'driving'.",
                                      .example = DROVE "print(e.ending)"})
       .property<&reason>(
           PropertyDoc{.name = "reason", .text = "Why it ended, in words.", .example = DROVE "print(e.reason)"})
