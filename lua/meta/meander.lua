@@ -2504,7 +2504,7 @@ function plan:from(start, kind) end
 ---@return number|nil # the value; nil where there is none
 function plan:value(x, y) end
 
----All values, the lowest row first; -inf where there is none.
+---All values in single precision, the lowest row first; -inf where there is none.
 ---
 ---```lua
 ---p = meander.planning.plan { world = meander.world.new { bounds = {{0, 0}, {8, 4}} }, resolution = 0.5, start = {1, 1}, target = {7, 3} }
@@ -3491,7 +3491,7 @@ function meander.topology.whiskers(options) end
 ---@field tries? integer of a link that cannot be driven, before it is left alone; 3 when left out
 ---@field pause? integer samples between two tries of a link; 500 when left out
 ---@field patience? integer samples without progress until it is held up; 20 when left out
----@field beside? number links this near to a blocked one, in its direction, are doubted too [m]; 0 when left out
+---@field beside? number links this near to a blocked one, in its direction, are doubted too [m]; 0.6 when left out
 
 ---@class meander.topology.wander.options
 ---@field map topologic_map the map that it fills
@@ -3505,7 +3505,7 @@ function meander.topology.whiskers(options) end
 ---@field crowd? number radius of the area in which it counts them [m]; 0.7 when left out
 ---@field revisit? meander.topology.wander.options.revisit how it drives to doubted links
 
----A guide that explores: bouncing off, along walls, to where the map has few places. Fills the map.
+---A guide that explores: bouncing off, along walls, to where the map has few places. Fills the map. With revisit.share it also drives to links that contacts speak against, and tries to pass them.
 ---
 ---Fails on no map; a number out of range.
 ---
@@ -3513,9 +3513,10 @@ function meander.topology.whiskers(options) end
 ---s = meander.sim.new { world = meander.world.open 'worlds/alice_loop.toml', robot = 'alice', drift = 'alice' }
 ---m = meander.topology.map {}
 ---s:drive { navigator = meander.topology.whiskers {}, guide = meander.topology.wander { map = m, samples = 200 } }
+---s:drive { navigator = meander.topology.whiskers {}, guide = meander.topology.wander { map = m, samples = 100, revisit = { share = 0.5 } } }
 ---print(m)
 ---```
----@param options meander.topology.wander.options the map, how many samples, the seed of its choices
+---@param options meander.topology.wander.options the map, how many samples, the seed of its choices, how doubted links are revisited
 ---@return guide # the guide
 function meander.topology.wander(options) end
 
