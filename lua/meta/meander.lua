@@ -225,7 +225,7 @@ local explorer = {}
 
 ---Explores with indicators by sonar.
 ---@class sonar_explorer
----@field ending 'driving'|'reached'|'no_passable_direction'|'trapped'|'budget' 'driving', or how the last run ended: 'reached', 'no_passable_direction', 'trapped', 'budget'.
+---@field ending 'driving'|'reached'|'no_passable_direction'|'trapped'|'budget' 'driving', or how the last run ended: 'reached', 'no_passable_direction', 'trapped', 'budget'. A drive that is cut off leaves it at 'driving'.
 ---@field reason string Why it ended, in words.
 ---@field walked number Driven in this run. [m]
 ---@field decisions integer Taken in all runs.
