@@ -49,7 +49,8 @@ class ViewMemory {
  private:
   static constexpr std::int8_t kNone = KeptViews::kNone;
   static constexpr std::int32_t kMost = 127;  ///< the limit, of opinions and of what is told of their sum
-  /// As much as three sure views: what many have held free is noticed in a few more, and one alone still decides nothing.
+  /// As much as three sure views: what many have held free is noticed in a few more, and one alone still decides
+  /// nothing.
   static constexpr std::int32_t kMostSum = 3 * kMost;
   static constexpr float kTurn = static_cast<float>(2 * kPi);
 
