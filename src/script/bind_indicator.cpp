@@ -259,12 +259,12 @@ void bind_indicator(lua_State* L) {
                          .args = {{"path", "the file"}},
                          .errors = "the file cannot be written",
                          .example = LINKED "g:save(os.tmpname() .. '.dot')"})
-      .method<&over>(Doc{.name = "over",
-                         .text = "The picture of a world with the graph over it, and the way that was driven.",
-                         .args = {{"world", "in whose frame the indicators are"},
-                                  {"run", "the drive; none when left out"}},
-                         .returns = "the picture, for show and save",
-                         .example = LINKED "show(g:over(meander.world.new {}))"})
+      .method<&over>(
+          Doc{.name = "over",
+              .text = "The picture of a world with the graph over it, and the way that was driven.",
+              .args = {{"world", "in whose frame the indicators are"}, {"run", "the drive; none when left out"}},
+              .returns = "the picture, for show and save",
+              .example = LINKED "show(g:over(meander.world.new {}))"})
       .property<&indicators>(PropertyDoc{.name = "indicators",
                                          .text = "All of them, in the order of their serial numbers.",
                                          .example = GRAPH "print(#g.indicators)"})
