@@ -40,8 +40,8 @@ void fields(Options& o, Visitor&& visit) {
 }
 
 /// Reads a world of any known format, told by the suffix: .toml (world file), .yaml .yml (ROS map), .png .pgm .jpg
-/// .jpeg .bmp .tif .tiff (picture of a floor plan), .csv (BARN cylinders), .map (MovingAI, ARIA). Throws FileError that lists
-/// the suffixes.
+/// .jpeg .bmp .tif .tiff (picture of a floor plan), .csv (BARN cylinders), .map (MovingAI, ARIA). Throws FileError that
+/// lists the suffixes.
 Imported import_world(const std::string& path, const ImportOptions& options = {}, const Work& work = {});
 
 /// The suffixes that import_world() knows, with the dot.
