@@ -85,7 +85,7 @@ void fields(Options& o, Visitor&& visit) {
   visit(Field{"length", "m", "of its route"}, o.length);
 }
 
-struct RouteTable {
+struct NetworkRouteTable {
   std::optional<std::vector<int>> route;
   std::optional<double> length;
   bool truncated = false;
@@ -94,7 +94,7 @@ struct RouteTable {
   std::vector<CandidateTable> candidates;
 };
 template <class Options, class Visitor>
-requires std::same_as<std::remove_const_t<Options>, RouteTable>
+requires std::same_as<std::remove_const_t<Options>, NetworkRouteTable>
 void fields(Options& o, Visitor&& visit) {
   visit(Field{"route", "", "the indicators from start to goal; nil: none was found"}, o.route);
   visit(Field{"length", "m", "of the route"}, o.length);
@@ -112,13 +112,13 @@ std::vector<int> serials(const std::vector<int>& columns) {
   return serials;
 }
 
-void tell(RouteTable& table, const std::optional<Route>& route) {
+void tell(NetworkRouteTable& table, const std::optional<Route>& route) {
   if (!route) return;
   table.route = serials(route->indicators);
   table.length = route->length;
 }
 
-void tell(RouteTable& table, const PathNetwork& network) {
+void tell(NetworkRouteTable& table, const PathNetwork& network) {
   table.truncated = network.truncated();
   for (int r = 0; r < network.rows(); ++r) {
     std::vector<ExcitedTable>& row = table.rows.emplace_back();
@@ -132,7 +132,7 @@ void tell(RouteTable& table, const PathNetwork& network) {
   if (const auto selected = network.selected()) tell(table, network.decrypt(*selected));
 }
 
-RouteTable shortest_path(const ShortestPathTable& table, const Call& call) {
+NetworkRouteTable shortest_path(const ShortestPathTable& table, const Call& call) {
   std::vector<RouteLinks::Edge> edges;
   int most = std::max(table.start.value, table.goal.value);
   for (const EdgeOption& option : table.links.value) {
@@ -144,7 +144,7 @@ RouteTable shortest_path(const ShortestPathTable& table, const Call& call) {
          table.goal.value);
   const RouteLinks links(most, edges);
   const int start = table.start.value - 1, goal = table.goal.value - 1;
-  RouteTable result;
+  NetworkRouteTable result;
   result.paper_rows = PathNetwork::paper_rows(most);
   if (table.method == PathMethod::dijkstra) {
     tell(result, dijkstra_path(links, start, goal));
