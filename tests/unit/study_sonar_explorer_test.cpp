@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "autonomy/sonar_explorer.hpp"
+#include "labyrinth_robot.hpp"
 #include "polar/polar_navigator.hpp"
 #include "study/drive.hpp"
 #include "world/generate_labyrinth.hpp"
@@ -13,23 +14,6 @@ namespace {
 
 constexpr int kSide = 5;
 const Vec2 kGoal(kSide - 0.5, kSide - 0.5);
-
-Platform small_robot() {
-  Platform robot = platform("nomad200");
-  robot.body.radius = robot.bumper.radius = 0.2;
-  robot.sonar.radius = 0.17;
-  return robot;
-}
-
-RobotOptions with_sonars() {
-  RobotOptions robot;
-  robot.platform = small_robot();
-  robot.sonar = sonar_preset("nomad");
-  robot.sonar.incidence = false;
-  robot.sonar.corner_range = 0;
-  robot.sonar.firing = Firing::simultaneous;
-  return robot;
-}
 
 double length_of_way(const Labyrinth& cells) { return cells.steps_from({0, 0})[{kSide - 1, kSide - 1}]; }
 
@@ -93,14 +77,15 @@ TEST(SonarExplorerOnTheRobot, AWayThatWasDrivenAndFoundBlockedIsNoLinkAnyMore) {
     Labyrinth after = cells;
     if (!close_a_door(after)) continue;
     ++closed;
-    Watched watched{std::make_shared<SonarExplorer>(kGoal, small_robot())};
+    Watched watched{std::make_shared<SonarExplorer>(kGoal, labyrinth_robot().platform)};
     for (std::uint64_t run = 1; run <= 5; ++run) {
       const auto world = std::make_shared<World>(labyrinth_world(run < 4 ? cells : after, {}, seed));
       SimOptions options;
       options.seed = 10 * seed + run;
-      Sim sim(world, {with_sonars()}, options);
+      Sim sim(world, {labyrinth_robot()}, options);
       watched.stops.clear();
-      drive(sim, polar_navigator(small_robot(), {}), watched.guide(), {.time_limit = 600, .record_every = 0});
+      drive(sim, polar_navigator(labyrinth_robot().platform, {}), watched.guide(),
+            {.time_limit = 600, .record_every = 0});
       EXPECT_EQ(watched.explorer->ending(), Ending::reached) << "seed " << seed << " run " << run;
       for (const Vec2& stop : watched.stops)
         EXPECT_LE(std::count_if(watched.stops.begin(), watched.stops.end(),

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "autonomy/sonar_explorer.hpp"
+#include "labyrinth_robot.hpp"
 #include "polar/polar_navigator.hpp"
 #include "study/drive.hpp"
 #include "world/generate_labyrinth.hpp"
@@ -14,20 +15,8 @@ namespace {
 constexpr int kSide = 6;
 constexpr double kCorridor = 0.8;
 
-RobotOptions wide_robot() {
-  RobotOptions robot;
-  robot.platform = platform("nomad200");
-  robot.platform.body.radius = robot.platform.bumper.radius = kCorridor / 3;
-  robot.platform.sonar.radius = kCorridor / 3 - 0.03;
-  robot.sonar = sonar_preset("nomad");
-  robot.sonar.incidence = false;
-  robot.sonar.corner_range = 0;
-  robot.sonar.firing = Firing::simultaneous;
-  return robot;
-}
-
 TEST(SonarExplorerInNarrowCorridors, WhereItWasStoppedIsNoReasonToSayThatNoWayIsLeft) {
-  const RobotOptions robot = wide_robot();
+  const RobotOptions robot = labyrinth_robot(kCorridor / 3);
   int stopped = 0;
   for (const std::uint64_t seed : {9u, 15u, 18u, 19u}) {
     const Labyrinth cells = make_labyrinth({.seed = seed, .columns = kSide, .rows = kSide, .loops = 0.08});
